@@ -1,0 +1,95 @@
+// Makes every picture and model that the scenes use, the same bytes on each run.
+#include "assets/cat.h"
+#include "assets/cow.h"
+#include "assets/globe.h"
+#include "assets/obj_writer.h"
+#include "assets/teapot.h"
+#include "assets/test_card.h"
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <iostream>
+
+namespace rt::assets {
+namespace {
+
+namespace fs = std::filesystem;
+
+void make_teapot(const fs::path& obj, int density) {
+    ObjWriter writer(obj.string());
+    for (const Patch& patch : teapot_patches())
+        writer.add(tessellate(patch, density));
+    writer.finish();
+    write_mtl(fs::path(obj).replace_extension(".mtl").string(), "");
+}
+
+void make_animal(const Animal& animal, const fs::path& obj, int triangles) {
+    Mesh mesh = polygonise(animal.shape, animal.bounds, triangles);
+    constexpr int texture_size = 1024;
+    unwrap(mesh, texture_size);
+    ObjWriter writer(obj.string());
+    writer.add(mesh);
+    writer.finish();
+    const fs::path texture = fs::path(obj).replace_extension(".png");
+    write_png(texture.string(), bake(mesh, texture_size, animal.ground, animal.hide));
+    write_mtl(fs::path(obj).replace_extension(".mtl").string(), texture.filename().string());
+}
+
+void make_all(const fs::path& folder) {
+    make_teapot(folder / "teapot.obj", 6);
+    make_animal(cow::animal, folder / "cow.obj", 6000);
+    make_animal(cat::animal, folder / "cat.obj", 6000);
+    write_png((folder / "test_card.png").string(), test_card());
+    write_png((folder / "globe.png").string(), globe());
+}
+
+int run(int argc, char** argv) {
+    CLI::App app("Makes the models and pictures of the Raysteps scenes.");
+    app.require_subcommand(1);
+    std::string out;
+    int density = 6, triangles = 6000;
+
+    CLI::App& all = *app.add_subcommand("all", "The small set that the repository holds.");
+    all.add_option("--out", out, "Folder to write to")->required()->check(CLI::ExistingDirectory);
+
+    CLI::App& teapot = *app.add_subcommand("teapot", "The Utah teapot at any density.");
+    teapot.add_option("--density", density, "Quads along each side of the 32 patches")
+        ->check(CLI::Range(2, 2000));
+    teapot.add_option("--out", out, "The .obj file")->required();
+
+    const auto add_animal = [&](const Animal& animal) -> CLI::App& {
+        CLI::App& command =
+            *app.add_subcommand(animal.name, "The " + animal.name + ", with its painted hide.");
+        command.add_option("--triangles", triangles, "About how many")->check(CLI::Range(4000, 1000000));
+        command.add_option("--out", out, "The .obj file; its .mtl and .png go beside it")->required();
+        return command;
+    };
+    const CLI::App& cow = add_animal(cow::animal);
+    const CLI::App& cat = add_animal(cat::animal);
+
+    try {
+        app.parse(argc, argv);
+        if (all)
+            make_all(out);
+        if (teapot)
+            make_teapot(out, density);
+        if (cow)
+            make_animal(cow::animal, out, triangles);
+        if (cat)
+            make_animal(cat::animal, out, triangles);
+    } catch (const CLI::Success& help) {
+        return app.exit(help);
+    } catch (const std::exception& problem) {
+        std::cerr << "make_assets: " << problem.what() << '\n';
+        return 2;
+    }
+    return 0;
+}
+
+} // namespace
+} // namespace rt::assets
+
+int main(int argc, char** argv) {
+    return rt::assets::run(argc, argv);
+}

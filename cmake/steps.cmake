@@ -1,0 +1,84 @@
+# add_step(01_spheres): the program of a step, its checks, its slow statistics and its reference picture.
+# add_checks(test_common common "labels" sources...): a doctest executable, one ctest a test case, named "common: ...".
+# A check that cannot be made on a machine prints "[skipped]" and why.
+
+# A learner's workshop/03_mirror/mirror.h takes the place of steps/03_mirror/mirror.h. A new file earlier on the
+# include path rebuilds nothing by itself: the list of these files is a compile definition, which does.
+file(GLOB workshop_headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/workshop workshop/*/*.h)
+string(REPLACE ";" ", " workshop_headers "${workshop_headers}")
+
+function(use_steps target)
+    target_include_directories(${target} BEFORE PRIVATE ${PROJECT_SOURCE_DIR}/workshop ${PROJECT_SOURCE_DIR}/steps)
+    if(workshop_headers)
+        target_compile_definitions(${target} PRIVATE "RT_WORKSHOP=\"${workshop_headers}\"")
+    endif()
+endfunction()
+
+function(add_checks target prefix labels)
+    set(sources ${ARGN})
+    if(NOT RAYSTEPS_TESTS OR NOT sources OR NOT TARGET common)
+        return()
+    endif()
+    if(NOT TARGET test_main) # doctest's own code is compiled once
+        add_library(test_main OBJECT ${PROJECT_SOURCE_DIR}/tests/main.cpp)
+        target_link_libraries(test_main PRIVATE rt::settings rt::native rt::doctest)
+    endif()
+    add_executable(${target} ${sources} $<TARGET_OBJECTS:test_main>)
+    target_link_libraries(${target} PRIVATE common rt::native rt::doctest)
+    use_steps(${target})
+    if(TARGET built_assets)
+        add_dependencies(${target} built_assets)
+    endif()
+    set(timeout 60)
+    if("statistics" IN_LIST labels OR RAYSTEPS_SANITIZE)
+        set(timeout 300)
+    endif()
+    set(script ${PROJECT_BINARY_DIR}/${target}_tests.cmake)
+    add_custom_command(TARGET ${target} POST_BUILD BYPRODUCTS ${script} VERBATIM
+        COMMAND ${CMAKE_COMMAND} -D EXECUTABLE=$<TARGET_FILE:${target}> -D PREFIX=${prefix} -D "LABELS=${labels}"
+                -D TIMEOUT=${timeout} -D OUTPUT=${script} -P ${PROJECT_SOURCE_DIR}/cmake/discover_tests.cmake)
+    if(NOT EXISTS ${script}) # until it is built
+        file(WRITE ${script} "add_test(\"${prefix}: ${target} is not built\" ${target})\n")
+    endif()
+    set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY TEST_INCLUDE_FILES ${script})
+    add_dependencies(checks ${target})
+endfunction()
+
+function(add_step name)
+    file(GLOB source CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/steps/${name}/main.cpp)
+    if(NOT TARGET common OR NOT source)
+        return() # not written yet
+    endif()
+    string(SUBSTRING ${name} 0 2 number)
+
+    add_executable(${name} ${source})
+    target_link_libraries(${name} PRIVATE common rt::native)
+    use_steps(${name})
+    if(TARGET built_assets)
+        add_dependencies(${name} built_assets)
+    endif()
+    add_dependencies(programs ${name})
+    add_custom_target(checks_${name} DEPENDS ${name})
+
+    foreach(kind "" _statistics)
+        file(GLOB source CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${name}${kind}.cpp)
+        string(REPLACE "_" ";" kind_label "${kind}")
+        set(labels ${number} ${name} ${kind_label})
+        add_checks(test_${name}${kind} ${name} "${labels}" ${source})
+        if(TARGET test_${name}${kind})
+            add_dependencies(checks_${name} test_${name}${kind})
+        endif()
+    endforeach()
+
+    if(RAYSTEPS_TESTS AND TARGET compare)
+        add_dependencies(checks_${name} compare)
+        set(test "${name}: render agrees with its reference")
+        add_test(NAME "${test}" COMMAND bash ${PROJECT_SOURCE_DIR}/tests/reference.sh ${name}
+            $<TARGET_FILE:${name}> $<TARGET_FILE:compare> ${PROJECT_SOURCE_DIR}/assets/reference
+            ${PROJECT_BINARY_DIR}/tested)
+        # It uses every core: PROCESSORS keeps ctest -j from running anything beside it.
+        cmake_host_system_information(RESULT cores QUERY NUMBER_OF_LOGICAL_CORES)
+        set_tests_properties("${test}" PROPERTIES LABELS "${number};${name};reference" SKIP_RETURN_CODE 77
+                             TIMEOUT 300 PROCESSORS ${cores})
+    endif()
+endfunction()

@@ -1,0 +1,174 @@
+// Pictures on disk: PNG through stb, .hdr through our own code, and the sRGB curve between light and bytes.
+#include "common/image_file.h"
+
+#include "common/error.h"
+#include "common/file_bytes.h"
+#include "common/hdr_format.h"
+
+#define STBI_NO_STDIO
+#define STBI_WRITE_NO_STDIO
+#include <stb_image.h>
+#include <stb_image_write.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+
+namespace rt {
+namespace {
+
+constexpr std::uintmax_t largest_file = std::uintmax_t(1) << 30; // stb counts bytes in an int
+
+std::string lower_ending(const std::string& path) {
+    std::string ending = std::filesystem::path(path).extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return char(std::tolower(c)); });
+    return ending;
+}
+
+void check_ending(const std::string& path) {
+    const std::string ending = lower_ending(path);
+    if (ending != ".png" && ending != ".hdr")
+        throw Error(path + ": the name should end in .png or .hdr" +
+                    (ending.empty() ? "" : " (" + ending + " is not written)"));
+}
+
+std::uint8_t srgb_code(float linear) {
+    const float clamped = std::clamp(linear, 0.0f, 1.0f);
+    return std::uint8_t(srgb_from_linear(clamped) * 255.0f + 0.5f);
+}
+
+/// The inverse of srgb_from_linear, for each of the 65536 values of a Bitmap (IEC 61966-2-1).
+std::vector<float> linear_table() {
+    std::vector<float> table(65536);
+    for (std::size_t code = 0; code < table.size(); ++code) {
+        const double srgb = double(code) / 65535;
+        table[code] = float(srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4));
+    }
+    return table;
+}
+
+std::string encode_png(const std::string& path, const Image& image) {
+    std::vector<std::uint8_t> codes;
+    codes.reserve(image.pixels.size() * 3);
+    for (const vec3& pixel : image.pixels) {
+        for (int channel = 0; channel < 3; ++channel)
+            codes.push_back(srgb_code(pixel[channel]));
+    }
+    std::string bytes;
+    const auto append = [](void* context, void* data, int size) {
+        static_cast<std::string*>(context)->append(static_cast<const char*>(data), std::size_t(size));
+    };
+    if (!stbi_write_png_to_func(append, &bytes, image.width, image.height, 3, codes.data(), image.width * 3))
+        throw Error(path + ": the picture could not be encoded; is there too little memory?");
+    return bytes;
+}
+
+Image without_wrong_numbers(Image image) {
+    for (vec3& pixel : image.pixels) {
+        if (!is_finite(pixel))
+            pixel = vec3(1, 0, 1);
+    }
+    return image;
+}
+
+Error undecodable(const std::string& path) {
+    const char* const said = stbi_failure_reason();
+    std::string reason = said && *said ? said : "no reason given";
+    const auto is_odd = [](char c) { return c < ' ' || c > '~'; }; // stb quotes the file's own bytes
+    std::replace_if(reason.begin(), reason.end(), is_odd, '?');
+    return Error(path + ": is damaged or not a picture of a kind that is read here (" + reason +
+                 "); save it as PNG again");
+}
+
+/// The values of `bytes`, three a pixel, as `Value`s of 8 or 16 bits.
+template <typename Value, typename Load>
+Bitmap decode(const std::string& path, const std::string& bytes, int scale, Load load) {
+    Bitmap bitmap;
+    int channels = 0;
+    const std::unique_ptr<Value, void (*)(void*)> values(load(reinterpret_cast<const stbi_uc*>(bytes.data()),
+                                                              int(bytes.size()), &bitmap.width,
+                                                              &bitmap.height, &channels, 3),
+                                                         stbi_image_free);
+    if (!values)
+        throw undecodable(path);
+    const std::size_t count = std::size_t(bitmap.width) * std::size_t(bitmap.height) * 3;
+    bitmap.values.resize(count);
+    std::transform(values.get(), values.get() + count, bitmap.values.begin(),
+                   [scale](Value value) { return std::uint16_t(value * scale); });
+    return bitmap;
+}
+
+Image decode_linear(const std::string& path, const std::string& bytes) {
+    try {
+        return decode_hdr(bytes);
+    } catch (const Error& problem) {
+        throw Error(path + ": " + problem.what());
+    }
+}
+
+} // namespace
+
+std::string size_problem(int width, int height) {
+    const std::string size = std::to_string(width) + " x " + std::to_string(height);
+    if (width < 1 || height < 1)
+        return "has no pixels (" + size + ")";
+    if (width > largest_side || height > largest_side)
+        return "is too large (" + size + ", at most " + std::to_string(largest_side) + " a side)";
+    if (std::int64_t(width) * height > most_pixels)
+        return "is too large (" + size + ", at most " + std::to_string(most_pixels >> 20) +
+               " million pixels)";
+    return "";
+}
+
+void check_writable(const std::string& path) {
+    check_ending(path);
+    check_file_writable(path);
+}
+
+void write_image(const std::string& path, const Image& image) {
+    check_ending(path);
+    if (const std::string why = size_problem(image.width, image.height); !why.empty())
+        throw Error(path + ": the picture " + why);
+    const Image finite = without_wrong_numbers(image);
+    write_file(path, lower_ending(path) == ".png" ? encode_png(path, finite) : encode_hdr(finite));
+}
+
+Image read_image(const std::string& path) {
+    if (lower_ending(path) == ".hdr")
+        return decode_linear(path, read_file(path, largest_file));
+    const Bitmap bitmap = read_bitmap(path);
+    static const std::vector<float> linear = linear_table();
+    Image image(bitmap.width, bitmap.height);
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+        const std::uint16_t* const value = &bitmap.values[3 * i];
+        image.pixels[i] = {linear[value[0]], linear[value[1]], linear[value[2]]};
+    }
+    return image;
+}
+
+Bitmap read_bitmap(const std::string& path) {
+    const std::string bytes = read_file(path, largest_file);
+    if (bytes.empty())
+        throw Error(path + ": is empty");
+    const auto* const data = reinterpret_cast<const stbi_uc*>(bytes.data());
+    int width = 0, height = 0, channels = 0;
+    if (!stbi_info_from_memory(data, int(bytes.size()), &width, &height, &channels))
+        throw undecodable(path);
+    if (const std::string why = size_problem(width, height); !why.empty())
+        throw Error(path + ": " + why);
+    if (stbi_is_16_bit_from_memory(data, int(bytes.size())))
+        return decode<std::uint16_t>(path, bytes, 1, stbi_load_16_from_memory);
+    return decode<std::uint8_t>(path, bytes, 257, stbi_load_from_memory);
+}
+
+std::string absolute_path(const std::string& path) {
+    std::error_code ignored;
+    const std::filesystem::path whole = std::filesystem::absolute(path, ignored);
+    return ignored ? path : whole.lexically_normal().string();
+}
+
+} // namespace rt

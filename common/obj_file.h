@@ -1,0 +1,48 @@
+// A Wavefront OBJ file and its MTL materials as plain arrays: checked, triangulated, and nothing more.
+#pragma once
+
+#include "common/image_file.h"
+#include "common/vec.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace rt {
+
+/// A material as the MTL file states it. Colours are linear, not clamped to 1 for `emission`.
+struct ObjMaterial {
+    std::string name;
+    vec3 diffuse{0.6f};        ///< Kd, in [0, 1]; the default stands for a missing .mtl
+    vec3 emission{0.0f};       ///< Ke, radiance, W / (m^2 sr), >= 0
+    float reflectivity = 0;    ///< in [0, 1]: the mean of Ks where illum asks for reflection (3, 5, 8), or Pm
+    float ior = 1;             ///< Ni, index of refraction, in [1, 4]
+    bool glass = false;        ///< refraction is asked for: illum 4, 6, 7 or 9, or d < 1 together with Ni > 1
+    int texture = -1;          ///< map_Kd: index into ObjFile::textures, -1 for none
+};
+
+/// One corner of a face: indices into the arrays, -1 where the file gives none.
+struct ObjCorner {
+    int position = -1;
+    int uv = -1;
+    int normal = -1;
+};
+
+/// Every index is in range and every number finite: whoever reads these arrays need not look again.
+struct ObjFile {
+    std::vector<vec3> positions;
+    std::vector<vec3> normals; ///< as given: not necessarily of unit length, never zero
+    std::vector<vec2> uvs;
+    std::vector<std::array<ObjCorner, 3>> triangles; ///< polygons cut into triangles, counter-clockwise kept
+    std::vector<int> materials;                      ///< one a triangle: index into `material_list`
+    std::vector<ObjMaterial> material_list;          ///< at least one
+    std::vector<Bitmap> textures;                    ///< a missing one is a magenta checker
+};
+
+/// Reads an OBJ file, its .mtl and its textures. Warnings (missing .mtl or texture, with the paths tried) go to
+/// stderr, one line each. Throws Error, with file and line where it can be known, for a file that is missing, a
+/// folder, empty of faces or not OBJ at all, an index out of range, a number that is not finite, a face of fewer
+/// than three corners.
+ObjFile read_obj(const std::string& path);
+
+} // namespace rt

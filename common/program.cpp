@@ -1,0 +1,286 @@
+// The manners of a step's program: refuse before working, say what it cost, leave no half-written file.
+
+#include "common/program.h"
+
+#include "common/error.h"
+#include "common/file_bytes.h"
+#include "common/image_file.h"
+#include "common/progress.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <iostream>
+#include <new>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#if defined(_WIN32)
+#include <io.h>
+#else
+#include <fcntl.h>
+#include <unistd.h>
+#endif
+
+namespace rt {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+// ---- stopping ----
+
+std::atomic<const char*> last_words = ""; ///< what Ctrl-C leaves on stderr, complete with its line end
+
+// Runs in the middle of anything: it may only call what POSIX lists as safe in a signal handler.
+extern "C" void stop(int) {
+    discard_unfinished_file();
+    const char* const words = last_words.load();
+#if defined(_WIN32)
+    _write(2, words, unsigned(std::strlen(words)));
+#else
+    [[maybe_unused]] const auto written = write(2, words, std::strlen(words));
+#endif
+    std::_Exit(130);
+}
+
+/// While one lives, Ctrl-C, kill and a closed terminal end the program with a message. It is installed even
+/// where the parent ignores Ctrl-C (as a shell does for `program &`): a render that nothing stops is worse.
+class StopHandler {
+  public:
+    explicit StopHandler(const std::string& name)
+        : start(stderr_is_terminal() ? "\n" : ""), before(start + name + ": stopped: nothing was written\n"),
+          during(start + name + ": stopped while writing: each file is either complete or as it was\n") {
+        last_words = before.c_str();
+        for (std::size_t i = 0; i < signals.size(); ++i)
+            old[i] = std::signal(signals[i], stop);
+    }
+    ~StopHandler() {
+        for (std::size_t i = 0; i < signals.size(); ++i)
+            std::signal(signals[i], old[i] == SIG_ERR ? SIG_DFL : old[i]);
+        last_words = "";
+    }
+    StopHandler(const StopHandler&) = delete;
+    StopHandler& operator=(const StopHandler&) = delete;
+
+    void writing_begins() { last_words = during.c_str(); }
+
+  private:
+#if defined(SIGHUP)
+    static constexpr std::array signals{SIGINT, SIGTERM, SIGHUP};
+#else
+    static constexpr std::array signals{SIGINT, SIGTERM};
+#endif
+    std::array<void (*)(int), signals.size()> old{};
+    const std::string start; ///< on a terminal the message goes below the progress bar
+    const std::string before, during;
+};
+
+/// A closed stdin, stdout or stderr becomes /dev/null. Left closed, its number would go to the next file that
+/// is opened, and what is meant for the terminal would end up in a picture. What would kill the program where
+/// a write fails becomes an error of that write.
+void make_streams_safe() {
+#if !defined(_WIN32)
+    int file = open("/dev/null", O_RDWR);
+    while (file >= 0 && file <= 2)
+        file = open("/dev/null", O_RDWR);
+    if (file > 2)
+        close(file);
+#endif
+#if defined(SIGXFSZ) && defined(SIGPIPE)
+    std::signal(SIGXFSZ, SIG_IGN); // `ulimit -f` is like a full disk
+    std::signal(SIGPIPE, SIG_IGN); // `| head -1` shall not cost the picture
+#endif
+}
+
+// ---- the files to write ----
+
+struct Outputs {
+    std::vector<std::string> pictures;
+    std::string variance; ///< or empty
+};
+
+std::string ending(const std::string& path) {
+    return fs::path(path).extension().string();
+}
+
+std::vector<std::string> picture_files(const std::string& out, const std::string& program) {
+    std::error_code ignored;
+    const fs::path last = fs::path(out).filename();
+    if (last.empty() || last == "." || last == ".." || fs::is_directory(out, ignored))
+        throw Error("--out " + out + " is a folder: name a file in it, as in " +
+                    (fs::path(out) / program).string());
+    if (ending(out) == ".png" || ending(out) == ".hdr")
+        return {out};
+    if (!ending(out).empty())
+        throw Error("--out " + out + " ends in " + ending(out) +
+                    ": a picture is NAME.png, NAME.hdr, or NAME alone for both");
+    return {out + ".png", out + ".hdr"};
+}
+
+bool same_file(const std::string& a, const std::string& b) {
+    std::error_code ignored;
+    return absolute_path(a) == absolute_path(b) || fs::equivalent(a, b, ignored);
+}
+
+/// Every file that will be written, once all of them can be.
+Outputs checked_outputs(const Options& options) {
+    const Picture& picture = options.picture();
+    const Outputs outputs{picture_files(picture.out, options.name()), picture.variance};
+    for (const std::string& path : outputs.pictures)
+        check_writable(path);
+    if (outputs.variance.empty())
+        return outputs;
+    if (ending(outputs.variance) != ".hdr")
+        throw Error("--variance " + outputs.variance +
+                    " is not an .hdr file: give it a name like variance.hdr");
+    if (picture.samples < 2)
+        throw Error(
+            "--variance needs --samples 2 or more: one sample a pixel says nothing about its variance");
+    for (const std::string& path : outputs.pictures)
+        if (same_file(path, outputs.variance))
+            throw Error("--variance " + outputs.variance +
+                        " is also the picture's file: give it another name");
+    check_writable(outputs.variance);
+    return outputs;
+}
+
+// ---- words ----
+
+template <typename... Values>
+std::string format(const char* pattern, Values... values) {
+    std::array<char, 256> text{};
+    std::snprintf(text.data(), text.size(), pattern, values...);
+    return text.data();
+}
+
+std::string counted(int number, const std::string& what) {
+    return std::to_string(number) + " " + what + (number == 1 ? "" : "s");
+}
+
+std::string headline(const Picture& picture) {
+    const Crop& c = picture.crop;
+    const bool whole = c.x1 - c.x0 == picture.width && c.y1 - c.y0 == picture.height;
+    return (whole ? "" : format("crop %d,%d to %d,%d of ", c.x0, c.y0, c.x1, c.y1)) +
+           format("%d x %d, ", picture.width, picture.height) + counted(picture.samples, "sample") +
+           " a pixel, seed " + std::to_string(picture.seed) + ", " +
+           counted(thread_count(picture), "thread") + "\n";
+}
+
+std::string cost(const Tally& tally, double seconds) {
+    const double rays = double(tally.rays);
+    std::string text = format("time %.2f s, ", seconds) + std::to_string(tally.rays) +
+                       format(" rays, %.2f million rays a second\n", rays / std::max(seconds, 1e-9) * 1e-6);
+    if (tally.rays > 0 && tally.box_tests + tally.triangle_tests > 0)
+        text += format("box tests a ray %.1f, triangle tests a ray %.1f\n", double(tally.box_tests) / rays,
+                       double(tally.triangle_tests) / rays);
+    return text;
+}
+
+/// A message keeps to its line, whatever was typed or named in a file.
+int complain(const std::string& program, std::string message) {
+    for (char& c : message)
+        if (c == '\n' || c == '\r' || c == '\t' || c == '\x1b')
+            c = ' ';
+    std::cout << std::flush;
+    std::cerr << program + ": " + message + "\n" << std::flush;
+    return 2;
+}
+
+void warn_not_finite(const std::string& program, const Film& film) {
+    if (film.not_finite == 0)
+        return;
+    std::cerr << program + ": warning: " + std::to_string(film.not_finite) +
+                     (film.not_finite == 1 ? " sample is" : " samples are") +
+                     " not finite, the first at pixel " + std::to_string(film.first_x) + "," +
+                     std::to_string(film.first_y) + " sample " + std::to_string(film.first_sample) +
+                     ": their pixels are magenta\n"
+              << std::flush;
+}
+
+// ---- the run ----
+
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Prints a line at once, unless --quiet.
+void say(const Picture& picture, const std::string& line) {
+    if (!picture.quiet)
+        std::cout << line << std::flush;
+}
+
+/// Renders with a progress bar; answers the film and says how long it took.
+Film timed_render(const Picture& picture, const SampleFunction& radiance, double& seconds) {
+    const Clock::time_point start = Clock::now();
+    Progress bar(picture.quiet);
+    Film film = render(picture, radiance, [&bar](float share) { bar.show(share); });
+    seconds = seconds_since(start);
+    return film;
+}
+
+void write_outputs(const Outputs& outputs, const Film& film) {
+    std::string wrote;
+    const auto write = [&wrote](const std::string& path, const Image& image) {
+        write_image(path, image);
+        wrote += "wrote " + absolute_path(path) + "\n";
+    };
+    for (const std::string& path : outputs.pictures)
+        write(path, film.mean);
+    if (!outputs.variance.empty())
+        write(outputs.variance, film.variance);
+    std::cout << wrote << std::flush;
+}
+
+void run(const Options& options, const std::function<void(const RenderCall&)>& body, StopHandler& handler) {
+    const Picture& picture = options.picture();
+    const Outputs outputs = checked_outputs(options);
+    say(picture, headline(picture));
+    std::optional<Film> film;
+    double render_seconds = 0;
+    const Clock::time_point start = Clock::now();
+    body([&](const SampleFunction& radiance) {
+        if (film)
+            throw std::logic_error("main.cpp calls render() twice");
+        if (seconds_since(start) > 0.1)
+            say(picture, format("scene %.2f s\n", seconds_since(start)));
+        film = timed_render(picture, radiance, render_seconds);
+    });
+    if (!film)
+        throw std::logic_error("main.cpp never calls render()");
+    warn_not_finite(options.name(), *film);
+    say(picture, cost(film->tally, render_seconds));
+    handler.writing_begins();
+    write_outputs(outputs, *film);
+}
+
+} // namespace
+
+int run_program(Options& options, int argc, const char* const* argv,
+                const std::function<void(const RenderCall& render)>& body) {
+    make_streams_safe();
+    StopHandler handler(options.name());
+    try {
+        if (options.parse(argc, argv))
+            run(options, body, handler);
+        if (!std::cout.flush())
+            throw Error(
+                "stdout takes no more text (is the disk full, or did the reader leave?); all else went well");
+        return 0;
+    } catch (const std::bad_alloc&) {
+        return complain(options.name(), "there is not enough memory: ask for a smaller picture or scene");
+    } catch (const std::exception& error) {
+        return complain(options.name(), error.what());
+    }
+}
+
+} // namespace rt

@@ -1,0 +1,23 @@
+// What the rays of this thread have cost so far: plain counts, added up over the threads after a render.
+#pragma once
+
+#include <cstdint>
+
+namespace rt {
+
+struct Tally {
+    std::uint64_t rays = 0;           ///< questions put to a scene: nearest hit or occluded
+    std::uint64_t box_tests = 0;      ///< boxes tested on the way through a hierarchy
+    std::uint64_t triangle_tests = 0; ///< triangles tested
+
+    Tally& operator+=(const Tally& other) {
+        rays += other.rays;
+        box_tests += other.box_tests;
+        triangle_tests += other.triangle_tests;
+        return *this;
+    }
+};
+
+inline thread_local Tally tally;
+
+} // namespace rt

@@ -1,0 +1,56 @@
+// What a ray meets: plain data, made once for the nearest surface.
+#pragma once
+
+#include "01_spheres/ray.h"
+
+#include <concepts>
+#include <optional>
+
+namespace rt {
+
+/// Rays that leave a surface start this share of the largest coordinate away from it: a float carries 24
+/// bits, and a few of the last are lost between a ray's origin and its hit. It is the only epsilon of the
+/// project.
+inline constexpr float epsilon = 0x1p-17f;
+
+/// How far a point may be off that was found along a ray from `origin`.
+inline float position_error(vec3 origin, vec3 position) {
+    const vec3 reach = max(abs(position), abs(origin));
+    return epsilon * glm::max(reach.x, glm::max(reach.y, reach.z));
+}
+
+struct Hit {
+    float t; ///< along the ray
+    vec3 position;
+    vec3 normal;           ///< unit, on the side that the ray comes from; interpolated where a mesh is smooth
+    vec3 geometric_normal; ///< unit, of the true surface, on the same side
+    vec2 uv;               ///< where on the surface
+    int material;          ///< index into the scene's materials
+    bool inside;           ///< the ray came from within the shape
+    float error;           ///< how far `position` may be off the true surface
+};
+
+/// The hit at the end of `ray`, that is at t_max. `outward` is the shape's own unit normal, `smooth` the one
+/// to shade with; both are turned here, once, so that nobody else needs to ask which side a ray is on.
+inline Hit make_hit(const Ray& ray, vec3 outward, vec3 smooth, vec2 uv, int material) {
+    const vec3 position = at(ray, ray.t_max);
+    const float error = position_error(ray.origin, position);
+    //> seen from inside, both normals turn round
+    const bool inside = dot(ray.direction, outward) > 0;
+    const float side = inside ? -1.0f : 1.0f;
+    //< const bool inside = false; const float side = 1;
+    return {ray.t_max, position, side * smooth, side * outward, uv, material, inside, error};
+}
+
+inline Hit make_hit(const Ray& ray, vec3 outward, vec2 uv, int material) {
+    return make_hit(ray, outward, outward, uv, material);
+}
+
+/// A scene that can tell what a ray meets first. Transport code asks for no more than this, so what a chapter
+/// writes keeps working on the scenes of later chapters.
+template <typename Scene>
+concept Traceable = requires(const Scene& scene, const Ray& ray) {
+    { intersect(scene, ray) } -> std::same_as<std::optional<Hit>>;
+};
+
+} // namespace rt

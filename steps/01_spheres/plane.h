@@ -1,0 +1,33 @@
+// An infinite plane: the floor under the spheres.
+#pragma once
+
+#include "01_spheres/hit.h"
+
+namespace rt {
+
+struct Plane {
+    vec3 point;  ///< any point of it
+    vec3 normal; ///< unit
+    int material;
+};
+
+/// The t with (O + tD - P).N = 0. A ray along the plane has none: the division gives infinity or NaN, which
+/// no interval contains.
+inline std::optional<float> intersect(const Plane& plane, const Ray& ray) {
+    //> solve for t, and answer it if the ray contains it
+    const float t = dot(plane.point - ray.origin, plane.normal) / dot(ray.direction, plane.normal);
+    if (contains(ray, t)) return t;
+    return std::nullopt;
+    //< return std::nullopt;
+}
+
+/// uv counts metres from plane.point; on a floor (normal +y) u runs along +x and v along -z.
+inline Hit surface(const Plane& plane, const Ray& ray) {
+    const vec3 north = std::abs(plane.normal.z) > 0.9f ? vec3(0, 1, 0) : vec3(0, 0, -1);
+    const vec3 u = normalize(cross(north, plane.normal));
+    const vec3 v = cross(plane.normal, u);
+    const vec3 offset = at(ray, ray.t_max) - plane.point;
+    return make_hit(ray, plane.normal, {dot(offset, u), dot(offset, v)}, plane.material);
+}
+
+} // namespace rt

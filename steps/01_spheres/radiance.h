@@ -1,0 +1,29 @@
+// How light travels, in step 01: from the sky to the first surface, and from there into the eye.
+#pragma once
+
+#include "01_spheres/background.h"
+#include "01_spheres/diffuse.h"
+#include "01_spheres/hit.h"
+#include "common/match.h"
+
+namespace rt {
+
+/// A matte surface in the light of the whole sky. Shortcut: nothing stands in the sky's way. Step 02 adds
+/// shadows, step 08 lets the surroundings hide and colour the sky.
+template <Traceable S>
+vec3 lit(const S& scene, const Hit& hit, const Diffuse& diffuse) {
+    return reflected(diffuse, irradiance(scene.sky, hit.normal));
+}
+
+/// The radiance that comes back along the ray, W / (m^2 sr), linear RGB.
+template <Traceable S>
+vec3 radiance(const S& scene, const Ray& ray) {
+    const auto hit = intersect(scene, ray);
+    if (!hit) return radiance(scene.sky, ray.direction);
+    return match(
+        scene.materials[std::size_t(hit->material)],
+        [&](const Diffuse& diffuse) { return lit(scene, *hit, diffuse); },
+        [&](const Checker& checker) { return lit(scene, *hit, at(checker, hit->uv)); });
+}
+
+} // namespace rt

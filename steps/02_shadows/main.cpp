@@ -1,0 +1,46 @@
+// Step 02 asks: does the light get there?
+#include "01_spheres/camera.h"
+#include "01_spheres/view.h"
+#include "02_shadows/radiance.h"
+#include "02_shadows/scene.h"
+#include "common/program.h"
+
+using namespace rt;
+
+/// Balls at dusk between a warm lamp and a cool one. One floats just above the floor, and one hangs beyond
+/// the warm lamp, where it must not cast a shadow.
+Scene two_lamps(float warm, float cool) {
+    Scene scene;
+    scene.sky = {.nadir = {0.05f, 0.045f, 0.06f}, .zenith = {0.02f, 0.03f, 0.08f}};
+    const int chalk = add(scene, Diffuse{{0.82f, 0.8f, 0.76f}});
+    const int rose = add(scene, Diffuse{{0.8f, 0.3f, 0.32f}});
+    const int sage = add(scene, Diffuse{{0.35f, 0.6f, 0.4f}});
+    const int floor = add(scene, Checker{{0.62f, 0.6f, 0.57f}, {0.42f, 0.41f, 0.42f}, 0.5f});
+    scene.lights = {{{-2.2f, 3.0f, 2.0f}, warm * vec3(1, 0.72f, 0.42f)},
+                    {{3.2f, 2.2f, 1.2f}, cool * vec3(0.4f, 0.62f, 1)}};
+    scene.spheres = {{{0, 0.9f, 0}, 0.9f, chalk},
+                     {{1.55f, 0.62f, 0.75f}, 0.42f, rose}, // floats: its lowest point is at .2
+                     {{-1.5f, 0.45f, 0.6f}, 0.45f, sage},
+                     {{-3.1f, 4.2f, 2.9f}, 0.7f, rose}}; // beyond the warm lamp
+    scene.planes = {{{0, 0, 0}, {0, 1, 0}, floor}};
+    return scene;
+}
+
+int main(int argc, char** argv) {
+    Options options("02_shadows", "Does the light get there?", {.width = 640, .height = 400, .samples = 16});
+    const float& warm = options.knob("warm", 22.0f, 0.0f, 1000.0f, "intensity of the warm lamp, W/sr");
+    const float& cool = options.knob("cool", 14.0f, 0.0f, 1000.0f, "intensity of the cool lamp, W/sr");
+    const auto view = view_knob(options);
+    const CameraKnobs camera_knobs(options, {.from = {0.2f, 2.4f, 6.2f}, .at = {0, 0.7f, 0}, .fov = 34});
+
+    return run_program(options, argc, argv, [&](const RenderCall& render) {
+        const Scene scene = two_lamps(warm, cool);
+        const Pose pose = camera_knobs.pose();
+        const Camera camera = make_camera(pose, options.picture().width, options.picture().height);
+        render([&](Sample& sample) {
+            const Ray ray = camera_ray(camera, vec2(sample.x, sample.y) + in_pixel(sample.index));
+            if (view == View::light) return radiance(scene, ray);
+            return what_is_hit(scene, ray, view, distance(pose.from, pose.at));
+        });
+    });
+}

@@ -1,0 +1,21 @@
+// How light travels, in step 02: from lights to the first surface, if they see each other, and from there
+// into the eye.
+#pragma once
+
+#include "02_shadows/light.h"
+#include "common/match.h"
+
+namespace rt {
+
+/// The radiance that comes back along the ray, W / (m^2 sr), linear RGB.
+template <CastsShadows S>
+vec3 radiance(const S& scene, const Ray& ray) {
+    const auto hit = intersect(scene, ray);
+    if (!hit) return radiance(scene.sky, ray.direction);
+    return match(
+        scene.materials[std::size_t(hit->material)],
+        [&](const Diffuse& diffuse) { return lit(scene, *hit, diffuse); },
+        [&](const Checker& checker) { return lit(scene, *hit, at(checker, hit->uv)); });
+}
+
+} // namespace rt

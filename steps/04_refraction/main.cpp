@@ -1,0 +1,54 @@
+// Step 04 asks: where does light go in glass?
+#include "01_spheres/camera.h"
+#include "01_spheres/view.h"
+#include "04_refraction/radiance.h"
+#include "04_refraction/scene.h"
+#include "common/program.h"
+
+using namespace rt;
+
+/// A clear ball, a ball with a bubble of air in it, and a ball of tinted glass, before a few coloured ones.
+Scene glass_balls(float ior, float bubble, float absorption) {
+    Scene scene;
+    scene.sky = {.nadir = {0.95f, 0.62f, 0.4f}, .zenith = {0.12f, 0.36f, 0.85f}};
+    const Medium glass{ior};
+    const int clear = add(scene, Glass{glass});
+    const int air = add(scene, Glass{Medium{}, glass}); // inside the bubble is air, around it is glass
+    const int tinted = add(scene, Glass{{ior, absorption * vec3(0.35f, 0.06f, 0.9f)}});
+    const int coral = add(scene, Diffuse{{0.85f, 0.25f, 0.18f}});
+    const int navy = add(scene, Diffuse{{0.1f, 0.18f, 0.5f}});
+    const int lemon = add(scene, Diffuse{{0.9f, 0.75f, 0.15f}});
+    const int floor = add(scene, Checker{{0.72f, 0.62f, 0.5f}, {0.32f, 0.2f, 0.15f}, 0.5f});
+    scene.lights = {{{-3, 6, 4}, vec3(50, 47, 40)}};
+    scene.spheres = {{{0, 0.85f, 0}, 0.85f, clear},          {{0, 0.85f, 0}, 0.85f * bubble, air},
+                     {{-1.6f, 0.62f, 0.35f}, 0.62f, clear},  {{1.55f, 0.6f, 0.45f}, 0.6f, tinted},
+                     {{-0.85f, 0.45f, -1.9f}, 0.45f, coral}, {{0.95f, 0.55f, -2.1f}, 0.55f, navy},
+                     {{2.9f, 0.5f, -1.6f}, 0.5f, lemon},     {{-2.9f, 0.4f, -1.5f}, 0.4f, lemon},
+                     {{0.75f, 0.2f, 1.35f}, 0.2f, coral}};
+    scene.planes = {{{0, 0, 0}, {0, 1, 0}, floor}};
+    return scene;
+}
+
+int main(int argc, char** argv) {
+    Options options("04_refraction", "Where does light go in glass?",
+                    {.width = 640, .height = 400, .samples = 9});
+    const float& ior = options.knob("ior", 1.5f, 1.0f, 2.5f, "index of refraction of the balls");
+    const float& bubble =
+        options.knob("bubble", 0.8f, 0.05f, 0.98f, "radius of the bubble, in radii of its ball");
+    const float& absorption = options.knob("absorption", 2.5f, 0.0f, 50.0f, "of the tinted ball, 1/m");
+    const int& depth =
+        options.knob("depth", 7, 0, 24, "boundaries that a ray may meet; beyond them it is black");
+    const auto view = view_knob(options);
+    const CameraKnobs camera_knobs(options, {.from = {0.3f, 1.55f, 5.6f}, .at = {0, 0.68f, 0}, .fov = 34});
+
+    return run_program(options, argc, argv, [&](const RenderCall& render) {
+        const Scene scene = glass_balls(ior, bubble, absorption);
+        const Pose pose = camera_knobs.pose();
+        const Camera camera = make_camera(pose, options.picture().width, options.picture().height);
+        render([&](Sample& sample) {
+            const Ray ray = camera_ray(camera, vec2(sample.x, sample.y) + in_pixel(sample.index));
+            if (view == View::light) return radiance(scene, ray, depth);
+            return what_is_hit(scene, ray, view, distance(pose.from, pose.at));
+        });
+    });
+}

@@ -1,0 +1,173 @@
+// Triangles by the thousand: corners shared by number, normals that make them look smooth.
+#pragma once
+
+#include "01_spheres/hit.h"
+#include "03_mirror/mirror.h"
+#include "05_mesh_bvh/box.h"
+#include "05_mesh_bvh/triangle.h"
+#include "common/obj_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <tuple>
+#include <vector>
+
+namespace rt {
+
+/// All meshes of a scene in one: flat arrays, and numbers instead of pointers.
+struct Mesh {
+    std::vector<vec3> positions;                         ///< one a vertex
+    std::vector<vec3> normals;                           ///< unit, one a vertex
+    std::vector<vec2> uvs;                               ///< one a vertex
+    std::vector<std::array<std::uint32_t, 3>> triangles; ///< counter-clockwise from outside
+    std::vector<std::int32_t> materials;                 ///< one a triangle
+};
+
+/// The part of a hit that a search keeps.
+struct MeshHit {
+    const Mesh* mesh;
+    std::uint32_t triangle;
+    float u, v;
+};
+
+inline std::array<vec3, 3> corners(const Mesh& mesh, std::uint32_t triangle) {
+    const auto& [a, b, c] = mesh.triangles[triangle];
+    return {mesh.positions[a], mesh.positions[b], mesh.positions[c]};
+}
+
+inline Box bounds(const Mesh& mesh, std::uint32_t triangle) {
+    Box box;
+    for (const vec3 corner : corners(mesh, triangle)) grow(box, corner);
+    return box;
+}
+
+inline Box bounds(const Mesh& mesh) {
+    Box box;
+    for (const vec3 position : mesh.positions) grow(box, position);
+    return box;
+}
+
+/// Twice the area, along the outward normal.
+inline vec3 area_normal(const std::array<vec3, 3>& corner) {
+    return cross(corner[1] - corner[0], corner[2] - corner[0]);
+}
+
+/// A value given at the corners, at the point with these barycentric weights.
+template <typename Value>
+Value interpolate(const std::vector<Value>& values, const std::array<std::uint32_t, 3>& corner, float u,
+                  float v) {
+    //> (1 - u - v) A + u B + v C
+    return (1 - u - v) * values[corner[0]] + u * values[corner[1]] + v * values[corner[2]];
+    //< return values[corner[0]];
+}
+
+/// An interpolated normal may turn so far that a mirror would send the ray into the surface. Then it is bent
+/// back until the reflected ray just clears the true surface. All unit, both normals on the ray's side.
+inline vec3 clearing(vec3 direction, vec3 smooth, vec3 geometric) {
+    const vec3 reflected = reflect(direction, smooth);
+    const float height = dot(reflected, geometric);
+    const float least = 0.01f;
+    if (height >= least) return smooth;
+    return normalize(normalize(reflected + (least - height) * geometric) - direction);
+}
+
+/// The hit at ray.t_max, where the ray was found to meet a triangle.
+inline Hit surface(const MeshHit& found, const Ray& ray) {
+    const Mesh& mesh = *found.mesh;
+    const auto& corner = mesh.triangles[found.triangle];
+    const vec3 outward = normalize(area_normal(corners(mesh, found.triangle)));
+    const vec3 smooth = normalize(interpolate(mesh.normals, corner, found.u, found.v));
+    const vec2 uv = interpolate(mesh.uvs, corner, found.u, found.v);
+    Hit hit = make_hit(ray, outward, smooth, uv, mesh.materials[found.triangle]);
+    hit.normal = clearing(normalize(ray.direction), hit.normal, hit.geometric_normal);
+    return hit;
+}
+
+/// A normal for each corner of each triangle of a file that gives none. Faces that meet in a point are
+/// smoothed together, weighted by area, unless they differ by more than `crease` degrees: so a ball is round
+/// and a cube keeps its edges. Points count as one if their coordinates are equal, since many files repeat
+/// them for every face.
+inline std::vector<std::array<vec3, 3>> smooth_normals(const ObjFile& file, float crease) {
+    const auto position = [&](std::size_t corner) {
+        return file.positions[std::size_t(file.triangles[corner / 3][corner % 3].position)];
+    };
+    std::vector<vec3> face(file.triangles.size());
+    for (std::size_t i = 0; i < face.size(); ++i)
+        face[i] = area_normal({position(3 * i), position(3 * i + 1), position(3 * i + 2)});
+
+    std::vector<std::size_t> order(3 * face.size()); // all corners, those in the same place side by side
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    const auto key = [&](std::size_t corner) {
+        const vec3 p = position(corner);
+        return std::tuple(p.x, p.y, p.z, corner);
+    };
+    std::ranges::sort(order, {}, key);
+
+    const float limit = std::cos(glm::radians(crease));
+    std::vector<std::array<vec3, 3>> normals(face.size());
+    for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
+        while (end < order.size() && position(order[end]) == position(order[begin])) ++end;
+        for (std::size_t i = begin; i < end; ++i) {
+            const vec3 own = face[order[i] / 3];
+            vec3 sum(0);
+            for (std::size_t j = begin; j < end; ++j) {
+                const vec3 other = face[order[j] / 3];
+                if (dot(own, other) >= limit * length(own) * length(other)) sum += other;
+            }
+            normals[order[i] / 3][order[i] % 3] = normalize(length(sum) > 0 ? sum : own);
+        }
+    }
+    return normals;
+}
+
+/// Appends what the file holds to `mesh`; its material m becomes number material_numbers[m]. Normals that it
+/// does not give are made by smooth_normals(); uvs that it does not give are (0, 0).
+inline void append(Mesh& mesh, const ObjFile& file, const std::vector<int>& material_numbers, float crease) {
+    const bool complete = std::ranges::all_of(file.triangles, [](const auto& triangle) {
+        return std::ranges::all_of(triangle, [](const ObjCorner& corner) { return corner.normal >= 0; });
+    });
+    const auto made = complete ? std::vector<std::array<vec3, 3>>() : smooth_normals(file, crease);
+
+    constexpr std::uint32_t none = 0xffffffff;
+    const std::size_t begin = mesh.positions.size();
+    std::vector<std::uint32_t> newest(file.positions.size(), none); // the last vertex made at a position,
+    std::vector<std::uint32_t> older;                               // the one before it there, and so on,
+    std::vector<int> uv_of;                                         // and the number of its uv in the file
+    const auto vertex = [&](const ObjCorner& corner, vec3 normal) {
+        std::uint32_t& head = newest[std::size_t(corner.position)];
+        for (std::uint32_t same = head; same != none; same = older[same - begin])
+            if (uv_of[same - begin] == corner.uv && mesh.normals[same] == normal) return same;
+        older.push_back(head);
+        head = std::uint32_t(mesh.positions.size());
+        uv_of.push_back(corner.uv);
+        mesh.positions.push_back(file.positions[std::size_t(corner.position)]);
+        mesh.normals.push_back(normal);
+        mesh.uvs.push_back(corner.uv >= 0 ? file.uvs[std::size_t(corner.uv)] : vec2(0));
+        return head;
+    };
+    for (std::size_t i = 0; i < file.triangles.size(); ++i) {
+        std::array<std::uint32_t, 3> triangle{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            const ObjCorner& corner = file.triangles[i][k];
+            const bool given = corner.normal >= 0;
+            triangle[k] =
+                vertex(corner, given ? normalize(file.normals[std::size_t(corner.normal)]) : made[i][k]);
+        }
+        mesh.triangles.push_back(triangle);
+        mesh.materials.push_back(material_numbers[std::size_t(file.materials[i])]);
+    }
+}
+
+/// Moves a model before it is added to a scene: scaled, turned about the y axis (degrees, from +z towards
+/// +x), shifted.
+inline void place(ObjFile& file, float scale, float turn, vec3 shift) {
+    const float c = std::cos(glm::radians(turn)), s = std::sin(glm::radians(turn));
+    const auto turned = [&](vec3 p) { return vec3(c * p.x + s * p.z, p.y, c * p.z - s * p.x); };
+    for (vec3& position : file.positions) position = scale * turned(position) + shift;
+    for (vec3& normal : file.normals) normal = turned(normal);
+}
+
+} // namespace rt

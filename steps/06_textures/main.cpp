@@ -1,0 +1,60 @@
+// Step 06 asks: how does a picture get onto a surface?
+#include "01_spheres/view.h"
+#include "05_mesh_bvh/stage.h"
+#include "06_textures/radiance.h"
+#include "06_textures/scene.h"
+#include "common/paths.h"
+#include "common/program.h"
+
+using namespace rt;
+
+/// A cow and a cat on a checkered lawn, a globe, and the test card on an easel.
+Pose meadow(Scene& scene, int tiles) {
+    scene.sky = {.nadir = {0.42f, 0.4f, 0.34f}, .zenith = {0.3f, 0.48f, 0.85f}};
+    scene.lights = {{{-4.5f, 7, 6}, vec3(165, 150, 125)}};
+    const int lawn = add(scene, Checker{{0.36f, 0.56f, 0.2f}, {0.28f, 0.47f, 0.16f}, 0.5f});
+    scene.planes = {{{0, 0, 0}, {0, 1, 0}, lawn}};
+
+    const int globe = add(scene, Textured{add(scene, read_bitmap(asset("globe.png")))});
+    scene.spheres = {{{1.75f, 0.36f, 0.85f}, 0.36f, globe}};
+    const int card_picture = add(scene, read_bitmap(asset("test_card.png")));
+    const int card = add(scene, Textured{.texture = card_picture, .repeat = vec2(float(tiles))});
+    scene.quads = {{{0.75f, 0.25f, -1.0f}, {1.75f, 0, 0.35f}, {0.04f, 1.1f, -0.2f}, card}};
+
+    ObjFile cow = read_obj(asset("cow.obj"));
+    place(cow, 1.35f, -35, {-0.85f, 0, -0.3f});
+    add(scene, cow, 40);
+    ObjFile cat = read_obj(asset("cat.obj"));
+    place(cat, 0.62f, -60, {0.55f, 0, 0.85f});
+    add(scene, cat, 40);
+    return {.from = {0.25f, 1.35f, 5.0f}, .at = {0.25f, 0.6f, 0}, .fov = 33};
+}
+
+int main(int argc, char** argv) {
+    Options options("06_textures", "How does a picture get onto a surface?",
+                    {.width = 640, .height = 400, .samples = 16});
+    const ModelKnobs model(options);
+    const int& tiles = options.knob("tiles", 1, 1, 50, "how often the test card repeats, each way");
+    const auto accel = options.choice("accel", {"brute", "bvh"}, Accel::bvh,
+                                      "how a ray finds what it meets: ask every triangle, or descend a tree");
+    const int& depth = options.knob("depth", 6, 0, 24, "mirrors and boundaries that a ray may meet");
+    const auto view = view_knob(options);
+    const CameraKnobs camera_knobs(options,
+                                   {.from = {0.25f, 1.35f, 5.0f}, .at = {0.25f, 0.6f, 0}, .fov = 33});
+
+    return run_program(options, argc, argv, [&](const RenderCall& render) {
+        const auto [width, height] = std::pair(options.picture().width, options.picture().height);
+        Scene scene;
+        scene.accel = accel;
+        const bool own = !model.mesh.empty();
+        const Pose pose = camera_knobs.pose(own ? stage_model(scene, model, float(width) / float(height))
+                                                : meadow(scene, tiles));
+        prepare(scene);
+        const Camera camera = make_camera(pose, width, height);
+        render([&](Sample& sample) {
+            const Ray ray = camera_ray(camera, vec2(sample.x, sample.y) + in_pixel(sample.index));
+            if (view == View::light) return radiance(scene, ray, depth);
+            return what_is_hit(scene, ray, view, distance(pose.from, pose.at));
+        });
+    });
+}

@@ -1,0 +1,77 @@
+// Pictures on surfaces: decoded to linear light once, looked up between their texels.
+#pragma once
+
+#include "01_spheres/diffuse.h"
+#include "common/image_file.h"
+
+#include <cmath>
+#include <vector>
+
+namespace rt {
+
+/// sRGB value in [0, 1] to linear light in [0, 1] (IEC 61966-2-1: a linear toe, then a power of 2.4).
+inline float linear_from_srgb(float value) {
+    //> the toe up to .04045 is a straight line of slope 1/12.92
+    return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
+    //< return value;
+}
+
+/// Linear RGB, row by row from the top. uv (0, 0) is the lower left corner of the picture and (1, 1) the
+/// upper right.
+struct Texture {
+    int width = 0;
+    int height = 0;
+    std::vector<vec3> texels;
+};
+
+/// Decodes a file's values once, so that all that follows is done in linear light.
+inline Texture make_texture(const Bitmap& bitmap) {
+    Texture texture{bitmap.width, bitmap.height, std::vector<vec3>(bitmap.values.size() / 3)};
+    for (std::size_t i = 0; i < bitmap.values.size(); ++i)
+        texture.texels[i / 3][int(i % 3)] = linear_from_srgb(float(bitmap.values[i]) / 65535);
+    return texture;
+}
+
+/// `index` brought into [0, size): the picture repeats in both directions, negative ones too.
+inline int wrap(int index, int size) {
+    //> the remainder of a division that rounds down
+    const int remainder = index % size;
+    return remainder < 0 ? remainder + size : remainder;
+    //< return glm::clamp(index, 0, size - 1);
+}
+
+/// The texel in column x from the left and row y from the BOTTOM, of the picture repeated for ever.
+inline vec3 texel(const Texture& texture, int x, int y) {
+    const int column = wrap(x, texture.width);
+    const int row = texture.height - 1 - wrap(y, texture.height);
+    return texture.texels[std::size_t(row) * std::size_t(texture.width) + std::size_t(column)];
+}
+
+/// The texture at uv: a blend of the four nearest texels. A texel's value holds in its middle, half a texel
+/// from its corner.
+inline vec3 bilinear(const Texture& texture, vec2 uv) {
+    //> from uv to texels, half a texel back, and the four weights from what floor leaves over
+    const vec2 place = fract(uv) * vec2(texture.width, texture.height) - 0.5f;
+    const vec2 corner = floor(place);
+    const vec2 weight = place - corner;
+    const int x = int(corner.x), y = int(corner.y);
+    const vec3 lower = mix(texel(texture, x, y), texel(texture, x + 1, y), weight.x);
+    const vec3 upper = mix(texel(texture, x, y + 1), texel(texture, x + 1, y + 1), weight.x);
+    return mix(lower, upper, weight.y);
+    //< return texel(texture, 0, 0);
+}
+
+/// A matte surface whose albedo is a picture, `repeat` times in u and in v.
+struct Textured {
+    int texture;      ///< index into the scene's textures
+    vec3 tint{1};     ///< multiplies the picture
+    vec3 emission{0}; ///< as in Diffuse
+    vec2 repeat{1};
+};
+
+inline Diffuse at(const Textured& surface, const std::vector<Texture>& textures, vec2 uv) {
+    return {surface.tint * bilinear(textures[std::size_t(surface.texture)], surface.repeat * uv),
+            surface.emission};
+}
+
+} // namespace rt

@@ -1,0 +1,82 @@
+// Step 07 asks: what is a pixel?
+#include "01_spheres/view.h"
+#include "05_mesh_bvh/stage.h"
+#include "06_textures/radiance.h"
+#include "06_textures/scene.h"
+#include "07_antialias/filter.h"
+#include "07_antialias/sample.h"
+#include "common/paths.h"
+#include "common/program.h"
+
+using namespace rt;
+
+/// Rings sin(r^2): their frequency grows evenly from the middle to the border, where a ring is two texels
+/// wide.
+Bitmap zone_plate(int size) {
+    Bitmap bitmap{size, size, {}};
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x) {
+            const vec2 p = vec2(float(2 * x + 1 - size), float(2 * y + 1 - size)) / 2.0f;
+            const float wave = 0.5f + 0.45f * std::cos(pi / 2 * dot(p, p) / float(size));
+            bitmap.values.insert(bitmap.values.end(), 3, std::uint16_t(65535 * srgb_from_linear(wave)));
+        }
+    return bitmap;
+}
+
+/// Everything that shows jagged edges: a floor to the horizon, a picture of rings that grow finer and finer,
+/// a slanted edge, and a bright wire thinner than a pixel.
+Pose test_chart(Scene& scene) {
+    scene.sky = {.nadir = {0.5f, 0.46f, 0.42f}, .zenith = {0.28f, 0.4f, 0.66f}};
+    scene.lights = {{{-3, 5, 5}, vec3(85, 80, 70)}};
+    const int floor = add(scene, Checker{{0.75f, 0.72f, 0.66f}, {0.1f, 0.12f, 0.16f}, 0.5f});
+    scene.planes = {{{0, 0, 0}, {0, 1, 0}, floor}};
+
+    const int rings = add(scene, Textured{add(scene, zone_plate(1024))});
+    const int white = add(scene, Diffuse{vec3(0.85f)});
+    const int black = add(scene, Diffuse{vec3(0.03f)});
+    const int wire = add(scene, flat(vec3(3.0f, 2.6f, 1.6f)));
+    scene.quads = {{{-1.75f, 0.15f, -0.6f}, {1.7f, 0, -0.1f}, {0, 1.7f, 0}, rings},
+                   {{0.35f, 0.15f, -0.75f}, {1.5f, 0, 0.25f}, {0, 1.7f, 0}, white},
+                   {{0.47f, 0.19f, -0.72f}, {1.22f, 0.3f, 0.2f}, {-0.02f, 0.75f, 0}, black},
+                   {{-2.3f, 2.25f, 0.3f}, {4.6f, -0.35f, 0.2f}, {0, 0.0035f, 0}, wire},
+                   {{-2.3f, 0.5f, 0.9f}, {4.6f, 1.2f, 0.1f}, {0, 0.0035f, 0}, wire}};
+
+    ObjFile cat = read_obj(asset("cat.obj"));
+    place(cat, 0.7f, -70, {1.45f, 0, 0.75f});
+    add(scene, cat, 40);
+    return {.from = {0, 1.25f, 5.2f}, .at = {0, 0.95f, 0}, .fov = 32};
+}
+
+int main(int argc, char** argv) {
+    Options options("07_antialias", "What is a pixel?", {.width = 640, .height = 400, .samples = 64});
+    const ModelKnobs model(options);
+    const auto pattern = options.choice("pattern", {"random", "stratified"}, Pattern::stratified,
+                                        "how the samples of a pixel are spread: anywhere, or one a cell");
+    const auto filter = options.choice("filter", {"box", "tent", "gaussian"}, Filter::gaussian,
+                                       "how a pixel weighs the light around its middle");
+    const float& filter_width = options.knob(
+        "filter-width", 1.0f, 0.0f, 10.0f, "scales the filter: box 1 pixel wide, tent 2, Gaussian sigma 1/2");
+    const auto accel = options.choice("accel", {"brute", "bvh"}, Accel::bvh,
+                                      "how a ray finds what it meets: ask every triangle, or descend a tree");
+    const int& depth = options.knob("depth", 6, 0, 24, "mirrors and boundaries that a ray may meet");
+    const auto view = view_knob(options);
+    const CameraKnobs camera_knobs(options, {.from = {0, 1.25f, 5.2f}, .at = {0, 0.95f, 0}, .fov = 32});
+
+    return run_program(options, argc, argv, [&](const RenderCall& render) {
+        const auto [width, height] = std::pair(options.picture().width, options.picture().height);
+        Scene scene;
+        scene.accel = accel;
+        const bool own = !model.mesh.empty();
+        const Pose pose = camera_knobs.pose(own ? stage_model(scene, model, float(width) / float(height))
+                                                : test_chart(scene));
+        prepare(scene);
+        const Camera camera = make_camera(pose, width, height);
+        render([&](Sample& sample) {
+            const vec2 u = sample_point(pattern, sample.index, sample.count, sample.random);
+            const vec2 middle = vec2(sample.x, sample.y) + 0.5f;
+            const Ray ray = camera_ray(camera, middle + filter_offset(filter, u, filter_width));
+            if (view == View::light) return radiance(scene, ray, depth);
+            return what_is_hit(scene, ray, view, distance(pose.from, pose.at));
+        });
+    });
+}

@@ -1,0 +1,139 @@
+#!/usr/bin/env bash
+# The rules that the folders keep, checked by reading the #include lines. Exit 1 and one line a violation.
+# guards.sh [FOLDER] checks a copy of the project; guards.sh --self-test plants violations and demands a report of each.
+set -u
+
+project=$(cd "$(dirname "$0")/.." && pwd)
+rooms="common steps assets tests tools"
+
+# Prints the include lines of the files found in $1 as "file:line:<header>" or "file:line:"header"".
+includes() {
+    find "$1" -type f \( -name '*.h' -o -name '*.cpp' \) -exec \
+        grep -nHE '^[[:space:]]*#[[:space:]]*include' {} + 2>/dev/null |
+        sed -E 's/^(.*:[0-9]+):[[:space:]]*#[[:space:]]*include[[:space:]]*([<"][^>"]*[>"]).*/\1:\2/'
+}
+
+report() { # $1: the rule; stdin: the lines that break it
+    sed "s|^|$1: |"
+}
+
+# 1: a step includes common, itself and earlier steps.
+guard_order() {
+    includes steps | grep '"' | while IFS= read -r line; do
+        own=$(expr "$line" : 'steps/\([0-9][0-9]\)_')
+        header=${line#*:\"}
+        case $header in
+            common/*) ;;
+            [0-9][0-9]_*/*) [ "${header%%_*}" \> "${own:-00}" ] && echo "$line" ;;
+            *) echo "$line" ;;
+        esac
+    done | report "a step includes only common, itself and earlier steps"
+}
+
+# 2: common includes common.
+guard_common() {
+    includes common | grep '"' | grep -v ':"common/' | report "common includes nothing but common"
+}
+
+# 3: steps are pure computation.
+guard_pure() {
+    local forbidden="thread|jthread|stop_token|atomic|mutex|shared_mutex|condition_variable|future|semaphore|latch|barrier"
+    forbidden="$forbidden|fstream|iostream|istream|ostream|sstream|iosfwd|syncstream|streambuf|print|filesystem|cstdio|csignal"
+    includes steps | grep -E ":<($forbidden)>" |
+        report "a step knows no threads, files or streams"
+    # The standard library's headers have neither a slash nor a dot.
+    includes steps | grep ':<' | grep -vE ':<([a-z_0-9]+|glm/[^>]*)>$' |
+        report "a step includes no foreign header but glm's"
+}
+
+# 4: includes are rooted: the folder stands in them.
+guard_rooted() {
+    local room
+    for room in $rooms; do
+        includes "$room"
+    done | grep '"' | grep -vE ':"([0-9][0-9]_[a-z_]+|common|assets|tests|tools)/[^"]*"$' |
+        report "an include names its folder, as in \"03_mirror/mirror.h\""
+    for room in $rooms; do
+        includes "$room"
+    done | grep -F '../' | report "an include has no .. in it"
+}
+
+# 5: each file says what it is for, in its first line; a header is included once.
+guard_opening() {
+    local room file
+    for room in $rooms; do
+        find "$room" -type f \( -name '*.h' -o -name '*.cpp' \) 2>/dev/null
+    done | while IFS= read -r file; do
+        head -n 1 "$file" | grep -qE '^// .*[A-Za-z]' ||
+            echo "a file's first line says what it is for (// ...): $file"
+        case $file in
+            *.h) grep -q '^#pragma once' "$file" || echo "a header says #pragma once: $file" ;;
+        esac
+    done
+}
+
+check() { # $1: the folder
+    cd "$1" || exit 2
+    local found
+    found=$(guard_order; guard_common; guard_pure; guard_rooted; guard_opening)
+    [ -z "$found" ] && return 0
+    printf '%s\n' "$found"
+    return 1
+}
+
+# Plants one file into a copy and demands that the guards report it with the expected rule.
+plant() { # $1: the expected rule, $2: the file, $3: what it says
+    mkdir -p "$copy/$(dirname "$2")"
+    printf '%b' "$3" >"$copy/$2"
+    local said
+    said=$(check "$copy")
+    rm "$copy/$2"
+    case $said in
+        *"$1"*"$2"*) echo "reported: $2: $1" ;;
+        *)
+            echo "NOT REPORTED: $2: $1 (the guards said: ${said:-nothing})"
+            missed=1
+            ;;
+    esac
+}
+
+self_test() {
+    copy=$(mktemp -d)
+    trap 'rm -rf "$copy"' EXIT
+    missed=0
+    local ok='// A planted file.\n#pragma once\n' header
+    # A blameless file in each room is not reported, so that what is planted next is the only violation.
+    mkdir -p "$copy/steps/03_mirror" "$copy/common" "$copy/tests" "$copy/assets" "$copy/tools"
+    printf '%b' "$ok#include \"01_spheres/ray.h\"\n#include \"03_mirror/b.h\"\n#include \"common/vec.h\"\n#include <cmath>\n#include <glm/glm.hpp>\n" \
+        >"$copy/steps/03_mirror/a.h"
+    printf '%b' "$ok#include \"common/vec.h\"\n#include <thread>\n" >"$copy/common/a.h"
+    printf '%b' "$ok#include \"03_mirror/a.h\"\n#include <doctest/doctest.h>\n" >"$copy/tests/a.h"
+    local blameless
+    blameless=$(check "$copy") || { echo "WRONGLY REPORTED: $blameless"; missed=1; }
+
+    local order="a step includes only common"
+    plant "$order" steps/03_mirror/later.h "$ok#include \"04_refraction/glass.h\"\n"
+    plant "$order" steps/03_mirror/main.cpp "// A planted file.\n  #  include \"08_indirect/bounce.h\"\n"
+    plant "$order" steps/03_mirror/other.h "$ok#include \"assets/mesh.h\"\n"
+    plant "common includes nothing but common" common/step.h "$ok#include \"01_spheres/ray.h\"\n"
+    plant "common includes nothing but common" common/compare/tests.cpp "// A planted file.\n#include \"tests/check.h\"\n"
+    for header in thread atomic mutex fstream iostream sstream filesystem cstdio future; do
+        plant "a step knows no threads" "steps/03_mirror/$header.h" "$ok#include <$header>\n"
+    done
+    for header in stb_image.h CLI/CLI.hpp stdio.h unistd.h; do
+        plant "no foreign header but glm's" "steps/03_mirror/foreign.h" "$ok#include <$header>\n"
+    done
+    plant "an include names its folder" steps/03_mirror/bare.h "$ok#include \"mirror.h\"\n"
+    plant "an include names its folder" tests/bare.cpp "// A planted file.\n#include \"check.h\"\n"
+    plant "an include names its folder" common/steps.h "$ok#include \"steps/03_mirror/mirror.h\"\n"
+    plant "no .. in it" tools/up.cpp "// A planted file.\n#include \"common/../common/vec.h\"\n"
+    plant "first line says what it is for" assets/silent.cpp "#include <cmath>\n"
+    plant "first line says what it is for" common/empty.cpp ""
+    plant "says #pragma once" common/twice.h "// A planted file.\nint x;\n"
+    [ "$missed" = 0 ]
+}
+
+case ${1-} in
+    --self-test) self_test ;;
+    *) check "${1:-$project}" && echo "the folders keep their rules" ;;
+esac

@@ -1,0 +1,145 @@
+// contact_sheet OUT.png A.png B.png ...: many pictures on one sheet, each with its name under it.
+#include "common/error.h"
+#include "common/image_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <exception>
+#include <iostream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rt {
+namespace {
+
+constexpr int columns = 4;
+constexpr int cell_width = 480, cell_height = 300;
+constexpr int gap = 20;          // between cells and around them
+constexpr int caption = 38;      // the strip under a cell
+constexpr int dot = 2;           // a letter's dot is 2 x 2 pixels
+const vec3 background(0.0075f, 0.008f, 0.010f); // linear, as everything here
+const vec3 number_colour(0.95f, 0.50f, 0.12f);
+const vec3 name_colour(0.62f, 0.64f, 0.68f);
+
+// Letters of 5 x 7 dots, twelve a strip, one column between them.
+constexpr std::string_view letters = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ";
+constexpr std::array<std::string_view, 21> strips = {
+    " ###    #    ###  #####    #  #####   ##  #####  ###   ###   ###  #### ",
+    "#   #  ##   #   #    #    ##  #      #        # #   # #   # #   # #   #",
+    "#  ##   #       #   #    # #  ####  #        #  #   # #   # #   # #   #",
+    "# # #   #      #     #  #  #      # ####    #    ###   #### #   # #### ",
+    "##  #   #     #       # #####     # #   #   #   #   #     # ##### #   #",
+    "#   #   #    #    #   #    #  #   # #   #   #   #   #    #  #   # #   #",
+    " ###   ###  #####  ###     #   ###   ###    #    ###   ##   #   # #### ",
+
+    " ###  ####  ##### #####  ###  #   #  ###    ### #   # #     #   # #   #",
+    "#   # #   # #     #     #   # #   #   #      #  #  #  #     ## ## #   #",
+    "#     #   # #     #     #     #   #   #      #  # #   #     # # # ##  #",
+    "#     #   # ####  ####  #  ## #####   #      #  ##    #     # # # # # #",
+    "#     #   # #     #     #   # #   #   #      #  # #   #     #   # #  ##",
+    "#   # #   # #     #     #   # #   #   #   #  #  #  #  #     #   # #   #",
+    " ###  ####  ##### #      #### #   #  ###   ##   #   # ##### #   # #   #",
+
+    " ###  ####   ###  ####   #### ##### #   # #   # #   # #   # #   # #####",
+    "#   # #   # #   # #   # #       #   #   # #   # #   # #   # #   #     #",
+    "#   # #   # #   # #   # #       #   #   # #   # #   #  # #   # #     # ",
+    "#   # ####  #   # ####   ###    #   #   # #   # # # #   #     #     #  ",
+    "#   # #     # # # # #       #   #   #   # #   # # # #  # #    #    #   ",
+    "#   # #     #  #  #  #      #   #   #   #  # #  # # # #   #   #   #    ",
+    " ###  #      ## # #   # ####    #    ###    #    # #  #   #   #   #####",
+};
+
+/// True where letter `c` has ink; what is no letter or digit is blank.
+bool has_ink(char c, int x, int y) {
+    const std::size_t index = letters.find(char(std::toupper(static_cast<unsigned char>(c))));
+    if (index == std::string_view::npos)
+        return false;
+    const std::string_view row = strips[index / 12 * 7 + std::size_t(y)];
+    const std::size_t column = index % 12 * 6 + std::size_t(x);
+    return row[column] == '#';
+}
+
+void write_text(Image& sheet, int left, int top, std::string_view text, vec3 colour) {
+    for (std::size_t i = 0; i < text.size(); ++i)
+        for (int y = 0; y < 7 * dot; ++y)
+            for (int x = 0; x < 5 * dot; ++x)
+                if (has_ink(text[i], x / dot, y / dot))
+                    sheet(left + int(i) * 6 * dot + x, top + y) = colour;
+}
+
+/// The mean of the picture over the box [x0, x1) x [y0, y1), pixels at the border counting by the part inside.
+vec3 box_mean(const Image& image, double x0, double y0, double x1, double y1) {
+    vec3 sum(0.0f);
+    double area = 0;
+    for (int y = int(y0); y < image.height && y < y1; ++y)
+        for (int x = int(x0); x < image.width && x < x1; ++x) {
+            const double part =
+                (std::min(x1, x + 1.0) - std::max(x0, double(x))) * (std::min(y1, y + 1.0) - std::max(y0, double(y)));
+            sum += float(part) * image(x, y);
+            area += part;
+        }
+    return area > 0 ? sum / float(area) : sum;
+}
+
+/// Fits the whole picture into the cell at (left, top), in its own proportions, in the middle.
+void draw_picture(Image& sheet, int left, int top, const Image& image) {
+    const double scale = std::max(double(image.width) / cell_width, double(image.height) / cell_height);
+    const int width = std::max(1, int(std::lround(image.width / scale)));
+    const int height = std::max(1, int(std::lround(image.height / scale)));
+    const double dx = double(image.width) / width, dy = double(image.height) / height;
+    left += (cell_width - width) / 2;
+    top += (cell_height - height) / 2;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            sheet(left + x, top + y) = box_mean(image, x * dx, y * dy, (x + 1) * dx, (y + 1) * dy);
+}
+
+/// "renders/03_mirror.png" -> "03_mirror"
+std::string stem(const std::string& path) {
+    const std::size_t begin = path.find_last_of("/\\") + 1; // npos + 1 is 0
+    return path.substr(begin, path.rfind('.') - begin);
+}
+
+/// The number in its own colour, then the name, as far as the cell is wide.
+void draw_caption(Image& sheet, int left, int top, const std::string& path) {
+    const std::string name = stem(path).substr(0, cell_width / (6 * dot));
+    const std::size_t digits = std::min(name.find_first_not_of("0123456789"), name.size());
+    write_text(sheet, left, top, name.substr(0, digits), number_colour);
+    write_text(sheet, left + int(digits) * 6 * dot, top, name.substr(digits), name_colour);
+}
+
+Image contact_sheet(const std::vector<std::string>& paths) {
+    const int across = std::min(columns, int(paths.size()));
+    const int down = (int(paths.size()) + columns - 1) / columns;
+    Image sheet(gap + across * (cell_width + gap), gap + down * (cell_height + caption));
+    std::fill(sheet.pixels.begin(), sheet.pixels.end(), background);
+    for (int i = 0; i < int(paths.size()); ++i) {
+        const int left = gap + i % columns * (cell_width + gap);
+        const int top = gap + i / columns * (cell_height + caption);
+        draw_picture(sheet, left, top, read_image(paths[std::size_t(i)]));
+        draw_caption(sheet, left, top + cell_height + 8, paths[std::size_t(i)]);
+    }
+    return sheet;
+}
+
+} // namespace
+} // namespace rt
+
+int main(int argc, char** argv) {
+    const std::vector<std::string> arguments(argv + 1, argv + argc);
+    if (arguments.size() < 2 || arguments[0] == "--help") {
+        std::cerr << "usage: contact_sheet OUT.png A.png B.png ...\n";
+        return arguments.size() == 1 ? 0 : 2;
+    }
+    try {
+        rt::check_writable(arguments[0]);
+        rt::write_image(arguments[0], rt::contact_sheet({arguments.begin() + 1, arguments.end()}));
+        std::cout << "wrote " << rt::absolute_path(arguments[0]) << "\n";
+    } catch (const std::exception& error) {
+        std::cerr << "contact_sheet: " << error.what() << "\n";
+        return 2;
+    }
+}
