@@ -48,10 +48,10 @@ class Temporary {
         unfinished_file = name.c_str();
     }
     ~Temporary() {
-        unfinished_file = nullptr;
         std::error_code ignored;
         if (!renamed)
             fs::remove(name, ignored);
+        unfinished_file = nullptr; // last, so that an interrupt in between still finds the name
     }
     Temporary(const Temporary&) = delete;
     Temporary& operator=(const Temporary&) = delete;

@@ -51,7 +51,8 @@ inline Ray camera_ray(const Camera& camera, vec2 pixel) {
 /// generalised golden ratio g = 1.3247..., g^3 = g + 1 (Roberts 2018, "The Unreasonable Effectiveness of
 /// Quasirandom Sequences"). Step 07 asks what a good choice would be.
 inline vec2 in_pixel(int index) {
-    return fract(vec2(0.5f) + float(index) * vec2(0.75487767f, 0.56984029f));
+    const glm::dvec2 step(0.7548776662466927, 0.5698402909980532); // 1/g and 1/g^2
+    return min(vec2(fract(0.5 + double(index) * step)), vec2(0x1.fffffep-1f));
 }
 
 /// Declares --from --at --up --fov.

@@ -24,12 +24,14 @@ inline vec3 irradiance(const PointLight& light, vec3 position, vec3 normal) {
     //> the cosine to the normal, over the square of the distance
     const vec3 to_light = light.position - position;
     const float squared = dot(to_light, to_light);
+    if (squared == 0) return vec3(0); // the lamp itself
     const float cosine = dot(to_light, normal) / std::sqrt(squared);
     return light.intensity * glm::max(cosine, 0.0f) / squared;
     //< return vec3(1);
 }
 
-/// The irradiance at a hit from all point lights that it sees.
+/// The irradiance at a hit from all point lights that it sees. Shortcut: between the two the air is clear,
+/// even within coloured glass.
 template <CastsShadows S>
 vec3 direct_light(const S& scene, const Hit& hit) {
     vec3 sum(0);

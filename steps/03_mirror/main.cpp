@@ -37,7 +37,8 @@ int main(int argc, char** argv) {
     const int& depth =
         options.knob("depth", 12, 0, 100, "mirrors that a ray may meet; beyond them it is black");
     const auto view = view_knob(options);
-    const CameraKnobs camera_knobs(options, {.from = {1.72f, 1.5f, 3.7f}, .at = {-0.62f, 0.74f, 0}, .fov = 43});
+    const CameraKnobs camera_knobs(options,
+                                   {.from = {1.72f, 1.5f, 3.7f}, .at = {-0.62f, 0.74f, 0}, .fov = 43});
 
     return run_program(options, argc, argv, [&](const RenderCall& render) {
         const Scene scene = between_mirrors(reflectivity);

@@ -9,7 +9,8 @@ struct Mirror {
     vec3 tint{1}; ///< the share of the light that comes back, in [0, 1]
 };
 
-/// A mirror laid over any other material: lacquer, glaze, a wet floor.
+/// A mirror laid over any other material: lacquer, glaze, a wet floor. One layer over another costs a ray
+/// each.
 struct Reflective {
     float reflectivity; ///< in [0, 1]: 0 shows only the base, 1 only the mirror
     int base; ///< the material beneath; its number is lower than this one's, so layers come to an end

@@ -3,7 +3,8 @@
 // Stamminger and Greiner 2006).
 #pragma once
 
-#include "common/vec.h"
+#include "07_antialias/sample.h"
+#include "common/render.h"
 
 #include <cmath>
 
@@ -38,6 +39,12 @@ inline vec2 filter_offset(Filter filter, vec2 u, float width) {
     case Filter::gaussian: return width * 0.5f * box_muller(u);
     default: return width * (u - 0.5f);
     }
+}
+
+/// The point of the picture through which a sample looks, in pixels from the top left corner.
+inline vec2 picture_point(Sample& sample, Pattern pattern, Filter filter, float width) {
+    const vec2 u = sample_point(pattern, sample.index, sample.count, sample.random);
+    return vec2(sample.x, sample.y) + 0.5f + filter_offset(filter, u, width);
 }
 
 } // namespace rt

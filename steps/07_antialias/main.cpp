@@ -4,20 +4,19 @@
 #include "06_textures/radiance.h"
 #include "06_textures/scene.h"
 #include "07_antialias/filter.h"
-#include "07_antialias/sample.h"
 #include "common/paths.h"
 #include "common/program.h"
 
 using namespace rt;
 
-/// Rings sin(r^2): their frequency grows evenly from the middle to the border, where a ring is two texels
+/// Rings sin(r^2): their frequency grows evenly from the middle to the border, where a ring is nine texels
 /// wide.
 Bitmap zone_plate(int size) {
     Bitmap bitmap{size, size, {}};
     for (int y = 0; y < size; ++y)
         for (int x = 0; x < size; ++x) {
             const vec2 p = vec2(float(2 * x + 1 - size), float(2 * y + 1 - size)) / 2.0f;
-            const float wave = 0.5f + 0.45f * std::cos(pi / 2 * dot(p, p) / float(size));
+            const float wave = 0.5f + 0.45f * std::cos(0.7f * dot(p, p) / float(size));
             bitmap.values.insert(bitmap.values.end(), 3, std::uint16_t(65535 * srgb_from_linear(wave)));
         }
     return bitmap;
@@ -72,9 +71,8 @@ int main(int argc, char** argv) {
         prepare(scene);
         const Camera camera = make_camera(pose, width, height);
         render([&](Sample& sample) {
-            const vec2 u = sample_point(pattern, sample.index, sample.count, sample.random);
-            const vec2 middle = vec2(sample.x, sample.y) + 0.5f;
-            const Ray ray = camera_ray(camera, middle + filter_offset(filter, u, filter_width));
+            const vec2 point = picture_point(sample, pattern, filter, filter_width);
+            const Ray ray = camera_ray(camera, point);
             if (view == View::light) return radiance(scene, ray, depth);
             return what_is_hit(scene, ray, view, distance(pose.from, pose.at));
         });

@@ -21,7 +21,7 @@ inline vec2 stratified_point(int index, int count, Random& random) {
     const vec2 jitter = random.uniform2();
     const float x = (float(index - first_of(row)) + jitter.x) / float(columns);
     const float y = (float(first_of(row)) + jitter.y * float(columns)) / float(count);
-    return {x, y};
+    return min(vec2(x, y), vec2(0x1.fffffep-1f)); // the sums may round up to 1
     //< return vec2(0.5f);
 }
 

@@ -3,6 +3,7 @@
 
 #include "02_shadows/light.h"
 #include "03_mirror/quad.h"
+#include "04_refraction/glass.h"
 #include "05_mesh_bvh/mesh.h"
 #include "common/image.h"
 #include "common/match.h"
@@ -108,8 +109,10 @@ AreaLights area_lights(const S& scene) {
 /// An estimate of the irradiance at the hit from all area lights, W/m^2: one point of one light, and
 ///     E ~ L cos(theta) cos(theta_light) V / (r^2 p),   p = the density of the point over all lights' area.
 /// The light shines to both sides; V is 1 if the two points see each other, else 0.
+/// `absorption` is that of the medium between them.
 template <CastsShadows S>
-vec3 area_light(const S& scene, const AreaLights& lights, const Hit& hit, Random& random) {
+vec3 area_light(const S& scene, const AreaLights& lights, const Hit& hit, Random& random,
+                vec3 absorption = vec3(0)) {
     if (lights.list.empty()) return vec3(0);
     const float pick = random.uniform();
     const auto chosen = std::ranges::upper_bound(lights.cumulative, pick);
@@ -129,7 +132,9 @@ vec3 area_light(const S& scene, const AreaLights& lights, const Hit& hit, Random
         light.emission * cosine * light_cosine / (squared * squared * point.density * probability);
     const float side = dot(way, point.normal) < 0 ? 1.0f : -1.0f; // stop just before the light itself
     const vec3 before = side * position_error(hit.position, point.position) * point.normal;
-    return occluded(scene, segment_to(hit, point.position + before)) ? vec3(0) : arriving;
+    return occluded(scene, segment_to(hit, point.position + before))
+               ? vec3(0)
+               : arriving * transmittance(absorption, std::sqrt(squared));
     //< return vec3(0);
 }
 

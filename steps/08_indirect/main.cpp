@@ -3,7 +3,6 @@
 #include "05_mesh_bvh/stage.h"
 #include "06_textures/scene.h"
 #include "07_antialias/filter.h"
-#include "07_antialias/sample.h"
 #include "08_indirect/radiance.h"
 #include "common/paths.h"
 #include "common/program.h"
@@ -18,7 +17,7 @@ Pose room(Scene& scene) {
     const int white = add(scene, Diffuse{vec3(0.74f, 0.72f, 0.68f)});
     const int red = add(scene, Diffuse{{0.63f, 0.065f, 0.05f}});
     const int green = add(scene, Diffuse{{0.14f, 0.45f, 0.09f}});
-    const int lamp = add(scene, flat(vec3(17, 12.5f, 7.5f)));
+    const int lamp = add(scene, flat(vec3(11.5f, 9.4f, 6.6f)));
     const int mirror = add(scene, Mirror{vec3(0.93f)});
     const int glass = add(scene, Glass{Medium{1.5f}});
     scene.quads = {{{-1, 0, 1}, {2, 0, 0}, {0, 0, -2}, white}, // floor
@@ -26,7 +25,7 @@ Pose room(Scene& scene) {
                    {{-1, 0, -1}, {2, 0, 0}, {0, 2, 0}, white}, // back
                    {{-1, 0, 1}, {0, 0, -2}, {0, 2, 0}, red},   // left
                    {{1, 0, -1}, {0, 0, 2}, {0, 2, 0}, green},  // right
-                   {{-0.3f, 1.998f, -0.25f}, {0.6f, 0, 0}, {0, 0, 0.5f}, lamp}};
+                   {{-0.5f, 1.998f, -0.45f}, {1, 0, 0}, {0, 0, 0.8f}, lamp}};
     scene.spheres = {{{0.52f, 0.4f, -0.42f}, 0.4f, mirror}, {{0.42f, 0.24f, 0.45f}, 0.24f, glass}};
 
     ObjFile cow = read_obj(asset("cow.obj"));
@@ -81,9 +80,8 @@ int main(int argc, char** argv) {
         const Transport transport{depth, !no_indirect, !no_light_sampling, !no_roulette};
         const Camera camera = make_camera(pose, width, height);
         render([&](Sample& sample) {
-            const vec2 u = sample_point(pattern, sample.index, sample.count, sample.random);
-            const vec2 middle = vec2(sample.x, sample.y) + 0.5f;
-            const Ray ray = camera_ray(camera, middle + filter_offset(filter, u, filter_width));
+            const vec2 point = picture_point(sample, pattern, filter, filter_width);
+            const Ray ray = camera_ray(camera, point);
             if (view == View::light) return radiance(scene, lights, transport, ray, sample.random);
             return what_is_hit(scene, ray, view, distance(pose.from, pose.at));
         });

@@ -81,7 +81,7 @@ vec3 radiance(const S& scene, const AreaLights& lights, const Transport& transpo
             if (!asked) gathered += throughput * diffuse.emission;
             if (last) return gathered;
             vec3 arriving = direct_light(scene, *hit);
-            if (transport.sample_lights) arriving += area_light(scene, lights, *hit, random);
+            if (transport.sample_lights) arriving += area_light(scene, lights, *hit, random, absorption);
             gathered += throughput * diffuse.albedo / pi * arriving;
             //> the bounce: cos / pi in the direction's density cancels cos / pi in the light it brings
             ray = ray_from(*hit, cosine_direction(hit->normal, random.uniform2()));
