@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <vector>
 
 namespace rt {
 namespace {
@@ -24,8 +25,7 @@ void check_same_size(const Image& a, const Image& b) {
 
 /// Infinite where one of the two is not a number, so that it is never overlooked.
 vec3 distances(vec3 test, vec3 reference) {
-    if (!is_finite(test) || !is_finite(reference))
-        return vec3(infinity);
+    if (!is_finite(test) || !is_finite(reference)) return vec3(infinity);
     return abs(test - reference);
 }
 
@@ -33,8 +33,8 @@ bool agree(vec3 distance, vec3 reference) {
     return all(lessThanEqual(distance, limits.tolerance * max(vec3(1.0f), abs(reference))));
 }
 
-/// What writing to .hdr adds to the variance of a pixel's luminance: each channel is rounded to 1/256 of the power
-/// of two above the largest one, and an error that is uniform over a step has the variance step^2 / 12.
+/// What writing to .hdr adds to the variance of a pixel's luminance: each channel is rounded to 1/256 of the
+/// power of two above the largest one, and an error that is uniform over a step has the variance step^2 / 12.
 double rounding_variance(vec3 colour) {
     int exponent = 0;
     std::frexp(std::max({colour.x, colour.y, colour.z}), &exponent);
@@ -46,14 +46,17 @@ double rounding_variance(vec3 colour) {
 /// Sums over one tile.
 struct Tile {
     int pixels = 0;
-    double test = 0, reference = 0, variance = 0, rounding = 0;
+    double test = 0, reference = 0, test_variance = 0, reference_variance = 0, rounding = 0;
 
-    double z() const {
-        if (!std::isfinite(test - reference + variance))
-            return std::numeric_limits<double>::infinity();
+    /// `ratio` is how much noisier the test is than the reference over the whole picture. Few samples may
+    /// have missed a rare bright path and then think themselves sure; the other picture knows better, so the
+    /// larger estimate counts.
+    double z(double ratio) const {
+        const double variance = std::max(test_variance, ratio * reference_variance) +
+                                std::max(reference_variance, ratio > 0 ? test_variance / ratio : 0);
+        if (!std::isfinite(test - reference + variance)) return std::numeric_limits<double>::infinity();
         const double change = test - reference;
-        if (variance > 0)
-            return change / std::sqrt(variance + rounding);
+        if (variance > 0) return change / std::sqrt(variance + rounding);
         const double tolerance =
             pixels * limits.tolerance * std::max(1.0, reference / pixels); // nothing is noisy here
         return std::abs(change) <= tolerance ? 0
@@ -69,21 +72,33 @@ Tile sum_tile(int x0, int y0, const Image& test, const Image& reference, const I
             ++tile.pixels;
             tile.test += double(luminance(test(x, y)));
             tile.reference += double(luminance(reference(x, y)));
-            tile.variance += double(test_variance(x, y).x) + double(reference_variance(x, y).x);
+            tile.test_variance += double(test_variance(x, y).x);
+            tile.reference_variance += double(reference_variance(x, y).x);
             tile.rounding += rounding_variance(test(x, y)) + rounding_variance(reference(x, y));
         }
     }
     return tile;
 }
 
+/// The median over the tiles of the test's variance in units of the reference's: about the inverse ratio of
+/// their samples.
+double variance_ratio(const std::vector<Tile>& tiles) {
+    std::vector<double> ratios;
+    for (const Tile& tile : tiles)
+        if (tile.test_variance > 0 && tile.reference_variance > 0)
+            ratios.push_back(tile.test_variance / tile.reference_variance);
+    if (ratios.empty()) return 0;
+    std::sort(ratios.begin(), ratios.end());
+    return std::sqrt(ratios[(ratios.size() - 1) / 2] *
+                     ratios[ratios.size() / 2]); // inverts when the two change places
+}
+
 /// "brighter by 12 %", "darker by a factor of 3.14".
 std::string change_in_words(double test, double reference) {
-    if (!std::isfinite(test))
-        return "not a number";
+    if (!std::isfinite(test)) return "not a number";
     std::ostringstream words;
     words.precision(3);
-    if (std::abs(test - reference) <= 0.005 * std::abs(reference))
-        return "as bright but of another colour";
+    if (std::abs(test - reference) <= 0.005 * std::abs(reference)) return "as bright but of another colour";
     words << (test > reference ? "brighter" : "darker");
     const double low = std::min(test, reference), high = std::max(test, reference);
     if (low <= 0)
@@ -108,10 +123,8 @@ Difference difference(const Image& test, const Image& reference) {
         sum += (double(distance.x) + double(distance.y) + double(distance.z)) / 3;
         test_light += double(luminance(test.pixels[i]));
         reference_light += double(luminance(reference.pixels[i]));
-        if (!agree(distance, reference.pixels[i]))
-            ++result.differing;
-        if (largest <= result.largest)
-            continue;
+        if (!agree(distance, reference.pixels[i])) ++result.differing;
+        if (largest <= result.largest) continue;
         result.largest = largest;
         result.x = int(i % std::size_t(test.width));
         result.y = int(i / std::size_t(test.width));
@@ -128,22 +141,23 @@ TileDifference tile_difference(const Image& test, const Image& reference, const 
     check_same_size(test, reference);
     check_same_size(test, test_variance);
     check_same_size(test, reference_variance);
+    std::vector<Tile> tiles;
+    for (int y = 0; y < test.height; y += tile_side)
+        for (int x = 0; x < test.width; x += tile_side)
+            tiles.push_back(sum_tile(x, y, test, reference, test_variance, reference_variance));
+    const double ratio = variance_ratio(tiles);
+    const int columns = (test.width + tile_side - 1) / tile_side;
     TileDifference result;
-    for (int y = 0; y < test.height; y += tile_side) {
-        for (int x = 0; x < test.width; x += tile_side) {
-            const Tile tile = sum_tile(x, y, test, reference, test_variance, reference_variance);
-            const double z = tile.z();
-            ++result.tiles;
-            if (std::abs(z) > limits.alarm_z)
-                ++result.alarms;
-            if (std::abs(z) <= std::abs(result.largest_z))
-                continue;
-            result.largest_z = z;
-            result.x = x;
-            result.y = y;
-            result.test = tile.test / tile.pixels;
-            result.reference = tile.reference / tile.pixels;
-        }
+    for (const Tile& tile : tiles) {
+        const double z = tile.z(ratio);
+        const int index = result.tiles++;
+        if (std::abs(z) > limits.alarm_z) ++result.alarms;
+        if (std::abs(z) <= std::abs(result.largest_z)) continue;
+        result.largest_z = z;
+        result.x = index % columns * tile_side;
+        result.y = index / columns * tile_side;
+        result.test = tile.test / tile.pixels;
+        result.reference = tile.reference / tile.pixels;
     }
     return result;
 }

@@ -10,13 +10,14 @@ namespace rt {
 
 /// What counts as the same picture. All limits stand here.
 struct Limits {
-    // Pictures of the same samples (steps 01 to 06): rounding and other compilers may differ, physics may not.
+    // Pictures of the same samples (steps 01 to 06): rounding and other compilers may differ, physics may
+    // not.
     float tolerance = 1e-3f;     ///< a channel agrees within tolerance * max(1, value)
     double least_within = 0.999; ///< share of pixels whose channels all agree
     double largest_mean = 2e-4;  ///< of the absolute difference over all channels
 
-    // Pictures of different samples (07, 08), tile by tile. Of tiles that differ by noise alone one in 16,000 lies
-    // beyond 4 and one in 150,000 beyond 4.5; a wrong picture lights whole regions.
+    // Pictures of different samples (07, 08), tile by tile. Of tiles that differ by noise alone one in 16,000
+    // lies beyond 4 and one in 150,000 beyond 4.5; a wrong picture lights whole regions.
     double alarm_z = 4;
     double never_z = 4.5;
     double most_alarms = 0.001; ///< share of the tiles, but one tile may always alarm
@@ -34,8 +35,9 @@ struct Difference {
     vec3 test{0.0f}, reference{0.0f}; ///< what stands there
 };
 
-/// How far `test` lies from `reference` in units of what noise explains: 8 x 8 pixels at a time,
-/// z = sum(t - r) / sqrt(sum(var_t + var_r)) on luminance.
+/// How far `test` lies from `reference` in units of what noise explains: 8 x 8 pixels at a time, z = sum(t -
+/// r) / sqrt(sum(var_t + var_r)) on luminance. Each variance is the larger of two estimates: its own, and the
+/// other picture's times the median ratio of the two.
 struct TileDifference {
     int tiles = 0;
     int alarms = 0;       ///< |z| > limits.alarm_z
