@@ -43,11 +43,9 @@ inline void bake_triangle(Canvas& canvas, const Mesh& mesh, const Triangle& tria
             const dvec3 share(area(centre, corner[1], corner[2]) / whole,
                               area(centre, corner[2], corner[0]) / whole,
                               area(centre, corner[0], corner[1]) / whole);
-            if (share.x < 0 || share.y < 0 || share.z < 0)
-                continue;
+            if (share.x < 0 || share.y < 0 || share.z < 0) continue;
             dvec3 point(0);
-            for (int k = 0; k < 3; ++k)
-                point += share[k] * mesh.positions[triangle.vertex[k]];
+            for (int k = 0; k < 3; ++k) point += share[k] * mesh.positions[triangle.vertex[k]];
             canvas.picture(x, y) = paint(point);
             canvas.painted[canvas.index(x, y)] = true;
         }
@@ -58,8 +56,7 @@ inline void dilate(Canvas& canvas) {
     const Canvas before = canvas;
     for (int y = 0; y < canvas.picture.height; ++y)
         for (int x = 0; x < canvas.picture.width; ++x) {
-            if (before.is_painted(x, y))
-                continue;
+            if (before.is_painted(x, y)) continue;
             Colour sum(0);
             int count = 0;
             for (int dy = -1; dy <= 1; ++dy)
@@ -68,8 +65,7 @@ inline void dilate(Canvas& canvas) {
                         sum += before.picture.pixels[before.index(x + dx, y + dy)];
                         ++count;
                     }
-            if (count == 0)
-                continue;
+            if (count == 0) continue;
             canvas.picture(x, y) = sum / double(count);
             canvas.painted[canvas.index(x, y)] = true;
         }
@@ -78,10 +74,8 @@ inline void dilate(Canvas& canvas) {
 inline Picture bake(const Mesh& mesh, int size, Colour ground, const PaintFunction& paint) {
     Canvas canvas{Picture(size, size, ground),
                   std::vector<bool>(std::size_t(size) * std::size_t(size), false)};
-    for (const Triangle& triangle : mesh.triangles)
-        bake_triangle(canvas, mesh, triangle, paint);
-    for (int pass = 0; pass < 4; ++pass)
-        dilate(canvas);
+    for (const Triangle& triangle : mesh.triangles) bake_triangle(canvas, mesh, triangle, paint);
+    for (int pass = 0; pass < 4; ++pass) dilate(canvas);
     return canvas.picture;
 }
 

@@ -102,13 +102,11 @@ inline double beyond(double value, double limit) {
 /// Stripes around the back, along the crown and across the cheeks; each kind tapers where its part of the
 /// body ends.
 inline double coat_stripes(dvec3 point) {
-    if (tail(point) < 0.005)
-        return tail_rings(point);
+    if (tail(point) < 0.005) return tail_rings(point);
     const dvec3 m = mirrored(point);
     const double wave = 0.05 * fractal_noise(7.0 * point, 2);
     const double back_share = 0.5 - 4 * beyond(m.x, -0.12) - 8 * beyond(m.y, 0.5);
-    if (m.y < collar_centre.y)
-        return stripes(m.y + 0.6 * m.x + wave, 0.105, back_share);
+    if (m.y < collar_centre.y) return stripes(m.y + 0.6 * m.x + wave, 0.105, back_share);
     const double crown_share = 0.5 - 14 * beyond(m.z, 0.05) - 12 * beyond(0.86, m.y);
     const double cheek_share = 6 * (m.z - 0.15) - 12 * beyond(std::abs(m.y - 0.71), 0.06);
     return std::min(stripes(m.z + 0.3 * wave + 0.0275, 0.055, crown_share),
@@ -129,8 +127,7 @@ inline double collar_band(dvec3 point) {
 /// Rim, iris, a wide slit of a pupil, two reflections.
 inline Colour paint_eye(Colour colour, dvec3 point) {
     const dvec3 q = eye_frame.to_local(mirrored(point));
-    if (q.z < -0.05)
-        return colour;
+    if (q.z < -0.05) return colour;
     const dvec2 flat(q.x, q.y);
     colour = over(colour, hex(0x3a2016), ellipse(flat, {0, 0}, {0.074, 0.077}), 0.003);
     const Colour iris = mix(hex(0xd8ea6a), hex(0x3f9d5a), glm::smoothstep(-0.05, 0.05, q.y));

@@ -112,8 +112,7 @@ inline double spots(dvec3 point) {
         // clang-format on
     }};
     double nearest = 1e9;
-    for (const auto& [centre, radius] : blots)
-        nearest = std::min(nearest, distance(point, centre) - radius);
+    for (const auto& [centre, radius] : blots) nearest = std::min(nearest, distance(point, centre) - radius);
     return nearest + 0.09 * fractal_noise(6.0 * point, 2);
 }
 
@@ -130,8 +129,7 @@ inline double collar_band(dvec3 point) {
 /// Lashes, white, iris, pupil, a bright and a faint reflection.
 inline Colour paint_eye(Colour colour, dvec3 point) {
     const dvec3 q = eye_frame.to_local(mirrored(point));
-    if (q.z < 0)
-        return colour;
+    if (q.z < 0) return colour;
     const dvec2 flat(q.x, q.y);
     colour = over(colour, hex(0x2a1d1a), ellipse(flat, {0, 0.006}, {0.076, 0.080}), 0.003);
     colour = over(colour, hex(0xfffdf8), ellipse(flat, {0, -0.002}, {0.066, 0.072}), 0.003);
@@ -146,8 +144,7 @@ inline Colour paint_muzzle(Colour colour, dvec3 point) {
     const dvec3 m = mirrored(point);
     const double rim = ellipsoid(m, muzzle_centre + dvec3(0.012, -0.004, 0), muzzle_radii + 0.004);
     colour = over(colour, hex(0xf4b6b4), rim, 0.008);
-    if (point.x < 0.5)
-        return colour;
+    if (point.x < 0.5) return colour;
     colour = over(colour, lips, ellipse({m.z, point.y}, {0.066, 0.704}, {0.021, 0.025}), 0.004);
     const double smile = std::abs(point.y - (0.605 + 2.4 * m.z * m.z)) - 0.006; // a parabola around the chin
     return over(colour, lips, std::max(smile, m.z - 0.115), 0.003);

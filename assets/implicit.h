@@ -60,8 +60,7 @@ inline TubePlace nearest_on(const Tube& tube, dvec3 point) {
         const double begin = double(link) / links, end = double(link + 1) / links;
         const dvec3 a = tube.centre(begin), b = tube.centre(end);
         const double distance = cone(point, a, b, tube.radius(begin), tube.radius(end));
-        if (distance < nearest.distance)
-            nearest = {glm::mix(begin, end, share_along(point, a, b)), distance};
+        if (distance < nearest.distance) nearest = {glm::mix(begin, end, share_along(point, a, b)), distance};
     }
     return nearest;
 }

@@ -18,8 +18,7 @@ namespace fs = std::filesystem;
 
 void make_teapot(const fs::path& obj, int density) {
     ObjWriter writer(obj.string());
-    for (const Patch& patch : teapot_patches())
-        writer.add(tessellate(patch, density));
+    for (const Patch& patch : teapot_patches()) writer.add(tessellate(patch, density));
     writer.finish();
     write_mtl(fs::path(obj).replace_extension(".mtl").string(), "");
 }
@@ -70,14 +69,10 @@ int run(int argc, char** argv) {
 
     try {
         app.parse(argc, argv);
-        if (all)
-            make_all(out);
-        if (teapot)
-            make_teapot(out, density);
-        if (cow)
-            make_animal(cow::animal, out, triangles);
-        if (cat)
-            make_animal(cat::animal, out, triangles);
+        if (all) make_all(out);
+        if (teapot) make_teapot(out, density);
+        if (cow) make_animal(cow::animal, out, triangles);
+        if (cat) make_animal(cat::animal, out, triangles);
     } catch (const CLI::Success& help) {
         return app.exit(help);
     } catch (const std::exception& problem) {

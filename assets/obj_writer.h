@@ -19,8 +19,7 @@ inline void append_number(std::string& text, double value, int digits) {
     text += scaled < 0 ? " -" : " ";
     text += std::to_string(std::abs(scaled) / scale);
     const std::size_t kept = fraction.find_last_not_of('0') + 1; // npos + 1 = 0: nothing but zeros
-    if (kept > 0)
-        text.append(".").append(fraction, 0, kept);
+    if (kept > 0) text.append(".").append(fraction, 0, kept);
 }
 
 class ObjWriter {
@@ -35,18 +34,13 @@ class ObjWriter {
         std::string text;
         const auto line = [&](const char* keyword, const auto& values, int digits) {
             text += keyword;
-            for (int i = 0; i < values.length(); ++i)
-                append_number(text, values[i], digits);
+            for (int i = 0; i < values.length(); ++i) append_number(text, values[i], digits);
             text += '\n';
         };
-        for (const dvec3& position : mesh.positions)
-            line("v", position, 6);
-        for (const dvec2& uv : mesh.uvs)
-            line("vt", uv, 5);
-        for (const dvec3& normal : mesh.normals)
-            line("vn", normal, 4);
-        for (const Triangle& triangle : mesh.triangles)
-            append_face(text, triangle);
+        for (const dvec3& position : mesh.positions) line("v", position, 6);
+        for (const dvec2& uv : mesh.uvs) line("vt", uv, 5);
+        for (const dvec3& normal : mesh.normals) line("vn", normal, 4);
+        for (const Triangle& triangle : mesh.triangles) append_face(text, triangle);
         file.write(text);
         first_vertex += long(mesh.positions.size());
         first_uv += long(mesh.uvs.size());

@@ -13,16 +13,14 @@ class OutputFile {
   public:
     explicit OutputFile(const std::string& name)
         : path(name), temporary(name + ".part"), file(std::fopen(temporary.c_str(), "wb")) {
-        if (!file)
-            throw Error("cannot write '" + temporary + "': check the folder and its permissions");
+        if (!file) throw Error("cannot write '" + temporary + "': check the folder and its permissions");
     }
 
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
 
     ~OutputFile() {
-        if (!file)
-            return;
+        if (!file) return;
         std::fclose(file);
         std::remove(temporary.c_str());
     }

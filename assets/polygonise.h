@@ -21,8 +21,7 @@ template <class Visit>
 void for_each_point(ivec3 first, ivec3 last, const Visit& visit) {
     for (int z = first.z; z < last.z; ++z)
         for (int y = first.y; y < last.y; ++y)
-            for (int x = first.x; x < last.x; ++x)
-                visit(ivec3(x, y, z));
+            for (int x = first.x; x < last.x; ++x) visit(ivec3(x, y, z));
 }
 
 /// The signed distance sampled at the corners of a grid of cubic cells. The origin is a corner, so that a
@@ -81,11 +80,9 @@ inline EdgeLabels label_sheets(const SampledGrid& grid, ivec3 cell) {
         const auto corner = [&](int i) { return around[std::size_t(i % 4)]; };
         const auto inside = [&](int i) { return grid(cell + corner(i)) < 0; };
         for (int enter = 0; enter < 4; ++enter) {
-            if (inside(enter) || !inside(enter + 1))
-                continue;
+            if (inside(enter) || !inside(enter + 1)) continue;
             int leave = enter + 1;
-            while (inside(leave + 1))
-                ++leave;
+            while (inside(leave + 1)) ++leave;
             const int old_label = sheet[edge_index(corner(leave), corner(leave + 1))];
             const int new_label = sheet[edge_index(corner(enter), corner(enter + 1))];
             std::replace(sheet.begin(), sheet.end(), old_label, new_label);
@@ -113,18 +110,15 @@ inline EdgeLabels add_cell_vertices(QuadMesh& net, const SampledGrid& grid, ivec
         const int axis = edge / 4;
         const ivec3 from = cell + (edge & 1) * axes[(axis + 1) % 3] + (edge >> 1 & 1) * axes[(axis + 2) % 3];
         const ivec3 to = from + axes[axis];
-        if ((grid(from) < 0) == (grid(to) < 0))
-            continue;
+        if ((grid(from) < 0) == (grid(to) < 0)) continue;
         sums[sheet[edge]] += mix(grid.corner(from), grid.corner(to), grid(from) / (grid(from) - grid(to)));
         ++counts[sheet[edge]];
         vertex[edge] = sheet[edge];
     }
     for (int label = 0; label < 12; ++label) {
-        if (counts[label] == 0)
-            continue;
+        if (counts[label] == 0) continue;
         for (int edge = 0; edge < 12; ++edge)
-            if (vertex[edge] >= 0 && sheet[edge] == label)
-                vertex[edge] = int(net.positions.size());
+            if (vertex[edge] >= 0 && sheet[edge] == label) vertex[edge] = int(net.positions.size());
         net.positions.push_back(sums[label] / double(counts[label]));
     }
     return vertex;
@@ -134,14 +128,12 @@ inline QuadMesh surface_net(const SampledGrid& grid) {
     QuadMesh net;
     std::map<std::size_t, EdgeLabels> vertices_of_cell;
     for_each_point(ivec3(0), grid.corner_count() - 1, [&](ivec3 cell) {
-        if (is_crossed(grid, cell))
-            vertices_of_cell[grid.index(cell)] = add_cell_vertices(net, grid, cell);
+        if (is_crossed(grid, cell)) vertices_of_cell[grid.index(cell)] = add_cell_vertices(net, grid, cell);
     });
     for_each_point(ivec3(1), grid.corner_count() - 1, [&](ivec3 from) {
         for (int axis = 0; axis < 3; ++axis) {
             const bool from_inside = grid(from) < 0, to_inside = grid(from + axes[axis]) < 0;
-            if (from_inside == to_inside)
-                continue;
+            if (from_inside == to_inside) continue;
             // Of the cell that lies a and b steps back across the edge.
             const auto vertex = [&](int a, int b) {
                 const ivec3 cell = from - a * axes[(axis + 1) % 3] - b * axes[(axis + 2) % 3];
@@ -189,10 +181,8 @@ inline Mesh triangulate(const QuadMesh& net) {
     }
     mesh.normals.assign(mesh.positions.size(), dvec3(0));
     for (const Triangle& triangle : mesh.triangles)
-        for (const int vertex : triangle.vertex)
-            mesh.normals[vertex] += area_vector(mesh, triangle);
-    for (dvec3& normal : mesh.normals)
-        normal = normalize(normal);
+        for (const int vertex : triangle.vertex) mesh.normals[vertex] += area_vector(mesh, triangle);
+    for (dvec3& normal : mesh.normals) normal = normalize(normal);
     return mesh;
 }
 
@@ -200,8 +190,7 @@ inline Mesh triangulate(const QuadMesh& net) {
 inline bool is_closed(const QuadMesh& net) {
     std::map<std::pair<int, int>, int> uses;
     for (const Quad& quad : net.quads)
-        for (int i = 0; i < 4; ++i)
-            ++uses[{quad[i], quad[(i + 1) % 4]}];
+        for (int i = 0; i < 4; ++i) ++uses[{quad[i], quad[(i + 1) % 4]}];
     return std::all_of(uses.begin(), uses.end(), [&](const auto& use) {
         const auto opposite = uses.find({use.first.second, use.first.first});
         return use.second == 1 && opposite != uses.end() && opposite->second == 1;

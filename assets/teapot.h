@@ -85,8 +85,7 @@ inline Patch ring_patch(const Ring& ring, int quarter) {
         const auto [radius, shoulder, height] = ring.rows[row];
         std::array<dvec2, 4> arc{{{-radius, 0}, {-radius, -shoulder}, {-shoulder, -radius}, {0, -radius}}};
         for (int column = 0; column < 4; ++column) {
-            for (int turn = 0; turn < quarter; ++turn)
-                arc[column] = {-arc[column].y, arc[column].x};
+            for (int turn = 0; turn < quarter; ++turn) arc[column] = {-arc[column].y, arc[column].x};
             patch.points[row][column] = from_newell(arc[column].x, arc[column].y, height);
         }
     }
@@ -110,11 +109,9 @@ inline Patch tube_patch(const PotTube& tube, int side) {
 inline std::vector<Patch> teapot_patches() {
     std::vector<Patch> patches;
     for (const Ring& ring : teapot_rings)
-        for (int quarter = 0; quarter < 4; ++quarter)
-            patches.push_back(ring_patch(ring, quarter));
+        for (int quarter = 0; quarter < 4; ++quarter) patches.push_back(ring_patch(ring, quarter));
     for (const PotTube& tube : teapot_tubes)
-        for (int side = 0; side < 2; ++side)
-            patches.push_back(tube_patch(tube, side));
+        for (int side = 0; side < 2; ++side) patches.push_back(tube_patch(tube, side));
     return patches;
 }
 
@@ -149,8 +146,7 @@ inline dvec3 patch_normal(const Patch& patch, double s, double t) {
     const dvec3 along_s = weighted_sum(patch, bernstein_slope(s), bernstein(t));
     const dvec3 along_t = weighted_sum(patch, bernstein(s), bernstein_slope(t));
     const dvec3 outward = cross(along_s, along_t);
-    if (length(outward) < 1e-9)
-        return patch_normal(patch, std::clamp(s, 1e-6, 1 - 1e-6), t);
+    if (length(outward) < 1e-9) return patch_normal(patch, std::clamp(s, 1e-6, 1 - 1e-6), t);
     return normalize(outward);
 }
 
@@ -159,8 +155,7 @@ inline void add_unless_flat(Mesh& mesh, const std::array<int, 3>& corners) {
     const auto apart = [&](int i, int j) {
         return distance(mesh.positions[corners[i]], mesh.positions[corners[j]]) > 1e-9;
     };
-    if (apart(0, 1) && apart(1, 2) && apart(2, 0))
-        mesh.triangles.push_back({corners, corners});
+    if (apart(0, 1) && apart(1, 2) && apart(2, 0)) mesh.triangles.push_back({corners, corners});
 }
 
 /// A grid of `density` x `density` quads, two triangles each.

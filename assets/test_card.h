@@ -23,8 +23,7 @@ class Card {
     /// Whole pixels, no smoothing.
     void rectangle(Colour colour, ivec2 low, ivec2 size) {
         for (int y = low.y; y < low.y + size.y; ++y)
-            for (int x = low.x; x < low.x + size.x; ++x)
-                picture(x, y) = colour;
+            for (int x = low.x; x < low.x + size.x; ++x) picture(x, y) = colour;
     }
 
     void text(Colour colour, const std::string& words, const TextStyle& style) {
@@ -87,8 +86,7 @@ inline void draw_circle(Card& card) {
 
 /// Sixteen equal steps of the sRGB value, dark on the left.
 inline void draw_grey_ramp(Card& card) {
-    for (int step = 0; step < 16; ++step)
-        card.rectangle(Colour(step * 17), {128 + 32 * step, 280}, {32, 40});
+    for (int step = 0; step < 16; ++step) card.rectangle(Colour(step * 17), {128 + 32 * step, 280}, {32, 40});
 }
 
 /// One-texel lines, upright and level, and a one-texel checker: what blurs first when a lookup is off.

@@ -30,8 +30,7 @@ inline std::vector<std::array<int, 3>> find_neighbours(const Mesh& mesh) {
         return std::pair(mesh.triangles[t].vertex[k], mesh.triangles[t].vertex[(k + 1) % 3]);
     };
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-        for (int k = 0; k < 3; ++k)
-            triangle_of_edge[edge(t, k)] = int(t);
+        for (int k = 0; k < 3; ++k) triangle_of_edge[edge(t, k)] = int(t);
     std::vector<std::array<int, 3>> neighbours(mesh.triangles.size());
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
         for (int k = 0; k < 3; ++k)
@@ -48,8 +47,7 @@ inline std::vector<int> choose_sides(const Mesh& mesh, const std::vector<std::ar
         facing.push_back(normalize(area_vector(mesh, triangle)));
         int best = 0;
         for (int side = 1; side < 6; ++side)
-            if (dot(facing.back(), side_normal(side)) > dot(facing.back(), side_normal(best)))
-                best = side;
+            if (dot(facing.back(), side_normal(side)) > dot(facing.back(), side_normal(best))) best = side;
         sides.push_back(best);
     }
     for (int pass = 0; pass < 8; ++pass)
@@ -57,8 +55,7 @@ inline std::vector<int> choose_sides(const Mesh& mesh, const std::vector<std::ar
             for (int k = 0; k < 3; ++k) {
                 const int side = sides[neighbours[t][k]];
                 const bool majority = side == sides[neighbours[t][(k + 1) % 3]];
-                if (majority && dot(facing[t], side_normal(side)) > 0.5)
-                    sides[t] = side;
+                if (majority && dot(facing[t], side_normal(side)) > 0.5) sides[t] = side;
             }
     return sides;
 }
@@ -77,8 +74,7 @@ inline std::vector<Chart> cut_into_charts(const Mesh& mesh) {
     std::vector<bool> taken(sides.size(), false);
     std::vector<Chart> charts;
     for (std::size_t seed = 0; seed < sides.size(); ++seed) {
-        if (taken[seed])
-            continue;
+        if (taken[seed]) continue;
         Chart chart{sides[seed], {int(seed)}};
         taken[seed] = true;
         for (std::size_t next = 0; next < chart.triangles.size(); ++next) {
@@ -110,8 +106,7 @@ inline bool pack(std::vector<Chart>& charts, double scale, int atlas_size) {
             pen = {0, pen.y + shelf_height};
             shelf_height = 0;
         }
-        if (pen.x + size.x > atlas_size || pen.y + size.y > atlas_size)
-            return false;
+        if (pen.x + size.x > atlas_size || pen.y + size.y > atlas_size) return false;
         chart.place = pen;
         pen.x += size.x;
         shelf_height = std::max(shelf_height, size.y);
@@ -125,8 +120,7 @@ inline void unwrap(Mesh& mesh, int atlas_size) {
     std::stable_sort(charts.begin(), charts.end(),
                      [](const Chart& a, const Chart& b) { return a.high.y - a.low.y > b.high.y - b.low.y; });
     double scale = 2.0 * atlas_size;
-    while (!pack(charts, scale, atlas_size))
-        scale *= 0.995;
+    while (!pack(charts, scale, atlas_size)) scale *= 0.995;
     for (const Chart& chart : charts) {
         std::map<int, int> uv_of_vertex;
         for (const int t : chart.triangles)
@@ -134,8 +128,7 @@ inline void unwrap(Mesh& mesh, int atlas_size) {
                 const int vertex = mesh.triangles[t].vertex[k];
                 const auto [entry, is_new] = uv_of_vertex.try_emplace(vertex, int(mesh.uvs.size()));
                 mesh.triangles[t].uv[k] = entry->second;
-                if (!is_new)
-                    continue;
+                if (!is_new) continue;
                 const dvec2 inside = (seen_from(chart.side, mesh.positions[vertex]) - chart.low) * scale;
                 mesh.uvs.push_back((dvec2(chart.place + atlas_padding) + inside) / double(atlas_size));
             }

@@ -34,8 +34,7 @@ fs::path temporary_beside(const fs::path& place) {
     static const char digits[] = "0123456789abcdef";
     std::random_device device;
     std::string suffix = ".";
-    for (int i = 0; i < 12; ++i)
-        suffix += digits[device() % 16];
+    for (int i = 0; i < 12; ++i) suffix += digits[device() % 16];
     fs::path temporary = place;
     temporary += suffix + ".part";
     return temporary;
@@ -49,8 +48,7 @@ class Temporary {
     }
     ~Temporary() {
         std::error_code ignored;
-        if (!renamed)
-            fs::remove(name, ignored);
+        if (!renamed) fs::remove(name, ignored);
         unfinished_file = nullptr; // last, so that an interrupt in between still finds the name
     }
     Temporary(const Temporary&) = delete;
@@ -75,10 +73,8 @@ class Temporary {
 void check_target(const std::string& path, const fs::path& place) {
     std::error_code ignored;
     const fs::file_status status = fs::status(place, ignored);
-    if (fs::is_directory(status))
-        throw Error(path + ": is a folder; name a file in it");
-    if (!fs::exists(status))
-        return;
+    if (fs::is_directory(status)) throw Error(path + ": is a folder; name a file in it");
+    if (!fs::exists(status)) return;
     if (!fs::is_regular_file(status))
         throw Error(path + ": is a device or a pipe, not a plain file; choose another name");
     if (!std::ofstream(place, std::ios::binary | std::ios::app)) // opened at its end, so nothing changes
@@ -90,8 +86,7 @@ void check_folder(const std::string& path, const fs::path& place) {
     std::error_code ignored;
     if (!fs::exists(folder, ignored))
         throw Error(path + ": the folder " + folder.string() + " does not exist; create it first");
-    if (!fs::is_directory(folder, ignored))
-        throw Error(path + ": " + folder.string() + " is not a folder");
+    if (!fs::is_directory(folder, ignored)) throw Error(path + ": " + folder.string() + " is not a folder");
 }
 
 } // namespace
@@ -101,32 +96,25 @@ std::string read_file(const std::string& path, std::uintmax_t most_bytes) {
     const fs::file_status status = fs::status(path, failure);
     if (status.type() == fs::file_type::not_found)
         throw Error(path + ": no such file; check the name and the folder");
-    if (fs::is_directory(status))
-        throw Error(path + ": is a folder, not a file");
-    if (failure)
-        throw Error(path + ": cannot be read (" + failure.message() + ")");
-    if (!fs::is_regular_file(status))
-        throw Error(path + ": is a device or a pipe, not a plain file");
+    if (fs::is_directory(status)) throw Error(path + ": is a folder, not a file");
+    if (failure) throw Error(path + ": cannot be read (" + failure.message() + ")");
+    if (!fs::is_regular_file(status)) throw Error(path + ": is a device or a pipe, not a plain file");
     const std::uintmax_t size = fs::file_size(path, failure);
-    if (failure)
-        throw Error(path + ": cannot be read (" + failure.message() + ")");
+    if (failure) throw Error(path + ": cannot be read (" + failure.message() + ")");
     if (size > most_bytes)
         throw Error(path + ": is too large (" + megabytes(size) + ", at most " + megabytes(most_bytes) + ")");
     std::ifstream stream(fs::path(path), std::ios::binary);
-    if (!stream)
-        throw Error(path + ": cannot be opened; is reading it allowed?");
+    if (!stream) throw Error(path + ": cannot be opened; is reading it allowed?");
     std::string bytes(std::size_t(size), '\0');
     stream.read(bytes.data(), std::streamsize(size));
-    if (std::uintmax_t(stream.gcount()) != size)
-        throw Error(path + ": cannot be read to its end");
+    if (std::uintmax_t(stream.gcount()) != size) throw Error(path + ": cannot be read to its end");
     return bytes;
 }
 
 void check_file_writable(const std::string& path) {
     const fs::path place = final_place(path);
     check_folder(path, place);
-    if (!place.has_filename())
-        throw Error(path + ": is a folder; name a file in it");
+    if (!place.has_filename()) throw Error(path + ": is a folder; name a file in it");
     check_target(path, place);
     if (!Temporary(place).write(""))
         throw Error(path + ": cannot be written; is writing allowed in that folder?");
@@ -142,14 +130,12 @@ void write_file(const std::string& path, std::string_view bytes) {
                     ": cannot be written; is the disk full? (an older file of that name is untouched)");
     std::error_code failure;
     temporary.rename_to(place, failure);
-    if (failure)
-        throw Error(path + ": cannot be put in place (" + failure.message() + ")");
+    if (failure) throw Error(path + ": cannot be put in place (" + failure.message() + ")");
 }
 
 void discard_unfinished_file() noexcept {
     const char* const name = unfinished_file.exchange(nullptr);
-    if (name)
-        std::remove(name); // no more than a call of unlink, which a handler may make
+    if (name) std::remove(name); // no more than a call of unlink, which a handler may make
 }
 
 } // namespace rt

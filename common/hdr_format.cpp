@@ -35,15 +35,13 @@ void encode_channel(const std::vector<std::uint8_t>& channel, std::string& out) 
     const std::uint8_t* const end = at + channel.size();
     while (at < end) {
         const std::uint8_t* stretch = at;
-        while (at < end && at - stretch < longest_packet && run_length(at, end) < shortest_run)
-            ++at;
+        while (at < end && at - stretch < longest_packet && run_length(at, end) < shortest_run) ++at;
         if (at > stretch) {
             out += char(at - stretch);
             out.append(reinterpret_cast<const char*>(stretch), std::size_t(at - stretch));
         }
         const int run = at < end ? run_length(at, end) : 0;
-        if (run < shortest_run)
-            continue;
+        if (run < shortest_run) continue;
         out += char(128 + run);
         out += char(*at);
         at += run;
@@ -52,8 +50,7 @@ void encode_channel(const std::vector<std::uint8_t>& channel, std::string& out) 
 
 void encode_row(const std::vector<Rgbe>& row, std::string& out) {
     if (!is_rle_width(int(row.size()))) {
-        for (const Rgbe& pixel : row)
-            out.append(pixel.begin(), pixel.end());
+        for (const Rgbe& pixel : row) out.append(pixel.begin(), pixel.end());
         return;
     }
     out += {2, 2, char(row.size() >> 8), char(row.size() & 255)};
@@ -71,26 +68,22 @@ struct Reader {
     std::string_view rest;
 
     std::uint8_t byte() {
-        if (rest.empty())
-            throw Error("is cut short");
+        if (rest.empty()) throw Error("is cut short");
         const std::uint8_t value = std::uint8_t(rest.front());
         rest.remove_prefix(1);
         return value;
     }
     Rgbe pixel() {
         Rgbe value{};
-        for (std::uint8_t& part : value)
-            part = byte();
+        for (std::uint8_t& part : value) part = byte();
         return value;
     }
     std::string_view line() {
         const std::size_t end = rest.find('\n');
-        if (end == std::string_view::npos)
-            throw Error("is cut short or not a Radiance .hdr file");
+        if (end == std::string_view::npos) throw Error("is cut short or not a Radiance .hdr file");
         std::string_view text = rest.substr(0, end);
         rest.remove_prefix(end + 1);
-        if (!text.empty() && text.back() == '\r')
-            text.remove_suffix(1);
+        if (!text.empty() && text.back() == '\r') text.remove_suffix(1);
         return text;
     }
 };
@@ -111,16 +104,14 @@ int size_after(std::string_view& text, std::string_view name) {
 /// An image of the size that the header states, still black.
 Image decode_header(Reader& reader) {
     const std::string_view magic = reader.line();
-    if (magic != "#?RADIANCE" && magic != "#?RGBE")
-        throw Error("is not a Radiance .hdr file");
+    if (magic != "#?RADIANCE" && magic != "#?RGBE") throw Error("is not a Radiance .hdr file");
     for (std::string_view line = reader.line(); !line.empty(); line = reader.line())
         if (line.substr(0, 7) == "FORMAT=" && line != "FORMAT=32-bit_rle_rgbe")
             throw Error("has a pixel format other than 32-bit_rle_rgbe");
     std::string_view size = reader.line();
     const int height = size_after(size, "-Y ");
     const int width = size_after(size, " +X ");
-    if (const std::string why = size_problem(width, height); !why.empty())
-        throw Error(why);
+    if (const std::string why = size_problem(width, height); !why.empty()) throw Error(why);
     // A run says at most 127 values in two bytes: so a small file cannot ask for a large picture.
     if (reader.rest.size() / 2 < std::size_t(width) * std::size_t(height) * 4 / 128)
         throw Error("is cut short");
@@ -131,12 +122,10 @@ void decode_channel(Reader& reader, std::vector<Rgbe>& row, std::size_t channel)
     for (std::size_t x = 0; x < row.size();) {
         const int code = reader.byte();
         const std::size_t count = std::size_t(code > 128 ? code - 128 : code);
-        if (count == 0 || x + count > row.size())
-            throw Error("is damaged (a run passes the end of its row)");
+        if (count == 0 || x + count > row.size()) throw Error("is damaged (a run passes the end of its row)");
         std::uint8_t value = 0;
         for (std::size_t i = 0; i < count; ++i, ++x) {
-            if (code <= 128 || i == 0)
-                value = reader.byte();
+            if (code <= 128 || i == 0) value = reader.byte();
             row[x][channel] = value;
         }
     }
@@ -148,15 +137,13 @@ void decode_row(Reader& reader, std::vector<Rgbe>& row) {
     const bool rle = is_rle_width(int(width)) && mark.size() == 4 && mark[0] == 2 && mark[1] == 2 &&
                      std::uint8_t(mark[2]) < 128;
     if (!rle) {
-        for (Rgbe& pixel : row)
-            pixel = reader.pixel();
+        for (Rgbe& pixel : row) pixel = reader.pixel();
         return;
     }
     if (std::size_t(std::uint8_t(mark[2]) << 8 | std::uint8_t(mark[3])) != width)
         throw Error("is damaged (a row of another width)");
     reader.rest.remove_prefix(4);
-    for (std::size_t channel = 0; channel < 4; ++channel)
-        decode_channel(reader, row, channel);
+    for (std::size_t channel = 0; channel < 4; ++channel) decode_channel(reader, row, channel);
 }
 
 } // namespace
@@ -166,11 +153,9 @@ Rgbe rgbe_from_linear(vec3 colour) {
     const vec3 kept = glm::clamp(colour, vec3(0.0f), vec3(largest_value));
     const float largest = std::max({kept.x, kept.y, kept.z});
     int exponent = 0;
-    std::frexp(largest, &exponent); // largest = f * 2^exponent, f in [1/2, 1)
-    if (std::ldexp(largest, 8 - exponent) >= 255.5f)
-        ++exponent; // would round to 256
-    if (largest == 0 || exponent + 128 < 1)
-        return {0, 0, 0, 0};
+    std::frexp(largest, &exponent);                              // largest = f * 2^exponent, f in [1/2, 1)
+    if (std::ldexp(largest, 8 - exponent) >= 255.5f) ++exponent; // would round to 256
+    if (largest == 0 || exponent + 128 < 1) return {0, 0, 0, 0};
     const auto mantissa = [&](float value) { return std::uint8_t(std::ldexp(value, 8 - exponent) + 0.5f); };
     return {mantissa(kept.x), mantissa(kept.y), mantissa(kept.z), std::uint8_t(exponent + 128)};
 }
@@ -184,8 +169,7 @@ std::string encode_hdr(const Image& image) {
                       std::to_string(image.width) + "\n";
     std::vector<Rgbe> row(std::size_t(image.width));
     for (int y = 0; y < image.height; ++y) {
-        for (int x = 0; x < image.width; ++x)
-            row[std::size_t(x)] = rgbe_from_linear(image(x, y));
+        for (int x = 0; x < image.width; ++x) row[std::size_t(x)] = rgbe_from_linear(image(x, y));
         encode_row(row, out);
     }
     return out;
@@ -197,8 +181,7 @@ Image decode_hdr(std::string_view bytes) {
     std::vector<Rgbe> row(std::size_t(image.width));
     for (int y = 0; y < image.height; ++y) {
         decode_row(reader, row);
-        for (int x = 0; x < image.width; ++x)
-            image(x, y) = linear_from_rgbe(row[std::size_t(x)]);
+        for (int x = 0; x < image.width; ++x) image(x, y) = linear_from_rgbe(row[std::size_t(x)]);
     }
     return image;
 }

@@ -55,8 +55,7 @@ std::string encode_png(const std::string& path, const Image& image) {
     std::vector<std::uint8_t> codes;
     codes.reserve(image.pixels.size() * 3);
     for (const vec3& pixel : image.pixels) {
-        for (int channel = 0; channel < 3; ++channel)
-            codes.push_back(srgb_code(pixel[channel]));
+        for (int channel = 0; channel < 3; ++channel) codes.push_back(srgb_code(pixel[channel]));
     }
     std::string bytes;
     const auto append = [](void* context, void* data, int size) {
@@ -69,8 +68,7 @@ std::string encode_png(const std::string& path, const Image& image) {
 
 Image without_wrong_numbers(Image image) {
     for (vec3& pixel : image.pixels) {
-        if (!is_finite(pixel))
-            pixel = vec3(1, 0, 1);
+        if (!is_finite(pixel)) pixel = vec3(1, 0, 1);
     }
     return image;
 }
@@ -93,8 +91,7 @@ Bitmap decode(const std::string& path, const std::string& bytes, int scale, Load
                                                               int(bytes.size()), &bitmap.width,
                                                               &bitmap.height, &channels, 3),
                                                          stbi_image_free);
-    if (!values)
-        throw undecodable(path);
+    if (!values) throw undecodable(path);
     const std::size_t count = std::size_t(bitmap.width) * std::size_t(bitmap.height) * 3;
     bitmap.values.resize(count);
     std::transform(values.get(), values.get() + count, bitmap.values.begin(),
@@ -114,8 +111,7 @@ Image decode_linear(const std::string& path, const std::string& bytes) {
 
 std::string size_problem(int width, int height) {
     const std::string size = std::to_string(width) + " x " + std::to_string(height);
-    if (width < 1 || height < 1)
-        return "has no pixels (" + size + ")";
+    if (width < 1 || height < 1) return "has no pixels (" + size + ")";
     if (width > largest_side || height > largest_side)
         return "is too large (" + size + ", at most " + std::to_string(largest_side) + " a side)";
     if (std::int64_t(width) * height > most_pixels)
@@ -138,8 +134,7 @@ void write_image(const std::string& path, const Image& image) {
 }
 
 Image read_image(const std::string& path) {
-    if (lower_ending(path) == ".hdr")
-        return decode_linear(path, read_file(path, largest_file));
+    if (lower_ending(path) == ".hdr") return decode_linear(path, read_file(path, largest_file));
     const Bitmap bitmap = read_bitmap(path);
     static const std::vector<float> linear = linear_table();
     Image image(bitmap.width, bitmap.height);
@@ -152,14 +147,11 @@ Image read_image(const std::string& path) {
 
 Bitmap read_bitmap(const std::string& path) {
     const std::string bytes = read_file(path, largest_file);
-    if (bytes.empty())
-        throw Error(path + ": is empty");
+    if (bytes.empty()) throw Error(path + ": is empty");
     const auto* const data = reinterpret_cast<const stbi_uc*>(bytes.data());
     int width = 0, height = 0, channels = 0;
-    if (!stbi_info_from_memory(data, int(bytes.size()), &width, &height, &channels))
-        throw undecodable(path);
-    if (const std::string why = size_problem(width, height); !why.empty())
-        throw Error(path + ": " + why);
+    if (!stbi_info_from_memory(data, int(bytes.size()), &width, &height, &channels)) throw undecodable(path);
+    if (const std::string why = size_problem(width, height); !why.empty()) throw Error(path + ": " + why);
     if (stbi_is_16_bit_from_memory(data, int(bytes.size())))
         return decode<std::uint16_t>(path, bytes, 1, stbi_load_16_from_memory);
     return decode<std::uint8_t>(path, bytes, 257, stbi_load_from_memory);

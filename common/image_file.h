@@ -21,7 +21,8 @@ std::string size_problem(int width, int height);
 struct Bitmap {
     int width = 0;
     int height = 0;
-    std::vector<std::uint16_t> values; ///< 3 * width * height, 0 to 65535 (an 8-bit value v stands as v * 257)
+    std::vector<std::uint16_t>
+        values; ///< 3 * width * height, 0 to 65535 (an 8-bit value v stands as v * 257)
 };
 
 /// Throws Error, before anything is rendered, when `path` could not be written: an unknown ending, a folder that

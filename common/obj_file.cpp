@@ -48,8 +48,7 @@ std::vector<Vector> vectors(std::vector<float>& numbers) {
     std::vector<Vector> out(numbers.size() / std::size_t(Vector::length()));
     const float* number = numbers.data();
     for (Vector& vector : out) {
-        for (int i = 0; i < Vector::length(); ++i)
-            vector[i] = *number++;
+        for (int i = 0; i < Vector::length(); ++i) vector[i] = *number++;
     }
     std::vector<float>().swap(numbers);
     return out;
@@ -111,8 +110,7 @@ void cut_faces(const std::string& path, const Parsed& parsed, const ObjScan& sca
         }
         index += size;
     }
-    if (file.triangles.empty())
-        throw Error(path + ": none of its faces has an area");
+    if (file.triangles.empty()) throw Error(path + ": none of its faces has an area");
     if (triangles.dropped > 0)
         warn(path + ": " + std::to_string(triangles.dropped) + " triangles without area are left out");
 }
@@ -126,8 +124,7 @@ void drop_wrong_normals(ObjFile& file) {
         }
     }
     for (vec3& normal : file.normals) {
-        if (!is_direction(normal))
-            normal = vec3(0, 0, 1); // which no corner names any more
+        if (!is_direction(normal)) normal = vec3(0, 0, 1); // which no corner names any more
     }
 }
 
@@ -138,20 +135,17 @@ void keep_used_materials(const std::string& path, const Parsed& parsed, const Ma
         parsed.materials.size(); // number `count` is the default, which tinyobjloader calls -1
     std::vector<int> number(count + 1, -1);
     for (int& material : file.materials) {
-        if (material < 0)
-            material = int(count);
+        if (material < 0) material = int(count);
         number[std::size_t(material)] = 0;
     }
     TextureLoader textures(path);
     for (std::size_t i = 0; i <= count; ++i) {
-        if (number[i] < 0)
-            continue;
+        if (number[i] < 0) continue;
         number[i] = int(file.material_list.size());
         file.material_list.push_back(
             i < count ? converted(parsed.materials[i], libraries.file_of(i), textures) : ObjMaterial{});
     }
-    for (int& material : file.materials)
-        material = number[std::size_t(material)];
+    for (int& material : file.materials) material = number[std::size_t(material)];
     file.textures = std::move(textures.bitmaps);
 }
 
@@ -159,8 +153,7 @@ void warn_of_unknown_materials(const std::string& path, const ObjScan& scan, con
                                const MaterialLibraries& libraries) {
     if (!scan.names_library && !scan.materials.empty())
         warn(path + ": names materials (usemtl) but no material file (mtllib); they are grey");
-    if (!libraries.found_any())
-        return;
+    if (!libraries.found_any()) return;
     for (const auto& [name, line] : scan.materials) {
         const auto has_name = [&name = name](const tinyobj::material_t& m) { return m.name == name; };
         if (std::none_of(parsed.materials.begin(), parsed.materials.end(), has_name))
@@ -173,8 +166,7 @@ void warn_of_unknown_materials(const std::string& path, const ObjScan& scan, con
 
 ObjFile read_obj(const std::string& path) {
     std::string text = read_file(path);
-    if (text.empty())
-        throw Error(path + ": is empty");
+    if (text.empty()) throw Error(path + ": is empty");
     const ObjScan scan = scan_obj(path, text);
     MaterialLibraries libraries(path);
     Parsed parsed = parse(path, text, libraries);

@@ -13,12 +13,12 @@ namespace rt {
 /// A material as the MTL file states it. Colours are linear, not clamped to 1 for `emission`.
 struct ObjMaterial {
     std::string name;
-    vec3 diffuse{0.6f};        ///< Kd, in [0, 1]; the default stands for a missing .mtl
-    vec3 emission{0.0f};       ///< Ke, radiance, W / (m^2 sr), >= 0
-    float reflectivity = 0;    ///< in [0, 1]: the mean of Ks where illum asks for reflection (3, 5, 8), or Pm
-    float ior = 1;             ///< Ni, index of refraction, in [1, 4]
-    bool glass = false;        ///< refraction is asked for: illum 4, 6, 7 or 9, or d < 1 together with Ni > 1
-    int texture = -1;          ///< map_Kd: index into ObjFile::textures, -1 for none
+    vec3 diffuse{0.6f};     ///< Kd, in [0, 1]; the default stands for a missing .mtl
+    vec3 emission{0.0f};    ///< Ke, radiance, W / (m^2 sr), >= 0
+    float reflectivity = 0; ///< in [0, 1]: the mean of Ks where illum asks for reflection (3, 5, 8), or Pm
+    float ior = 1;          ///< Ni, index of refraction, in [1, 4]
+    bool glass = false;     ///< refraction is asked for: illum 4, 6, 7 or 9, or d < 1 together with Ni > 1
+    int texture = -1;       ///< map_Kd: index into ObjFile::textures, -1 for none
 };
 
 /// One corner of a face: indices into the arrays, -1 where the file gives none.

@@ -58,8 +58,7 @@ struct Group {
 /// What was typed, as a message shows it.
 std::string shown(const std::string& text) {
     constexpr std::size_t longest = 100;
-    if (text.empty())
-        return "''";
+    if (text.empty()) return "''";
     return text.size() <= longest ? text : text.substr(0, longest) + "...";
 }
 
@@ -72,8 +71,7 @@ std::string decimal(float value) {
     }
     for (int digits = 6; digits <= 9; ++digits) {
         std::snprintf(text.data(), text.size(), "%.*g", digits, double(value));
-        if (std::strtof(text.data(), nullptr) == value)
-            break;
+        if (std::strtof(text.data(), nullptr) == value) break;
     }
     return text.data();
 }
@@ -92,8 +90,7 @@ std::string range_text(Number low, Number high) {
 
 std::string joined(const std::vector<std::string>& words) {
     std::string line;
-    for (const std::string& word : words)
-        line += (line.empty() ? "" : ", ") + word;
+    for (const std::string& word : words) line += (line.empty() ? "" : ", ") + word;
     return line;
 }
 
@@ -131,8 +128,7 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
 std::string nearest_word(const std::string& typed, const std::vector<std::string>& candidates) {
     constexpr std::size_t longest =
         40; // no flag is longer, and the distance costs the product of the lengths
-    if (typed.empty() || typed.size() > longest)
-        return "";
+    if (typed.empty() || typed.size() > longest) return "";
     std::string nearest;
     std::size_t least = 3;
     for (const std::string& candidate : candidates) {
@@ -184,29 +180,25 @@ float read_decimal(const std::string& flag, const std::string& text, const std::
     const bool plain = !text.empty() && text.find_first_not_of("+-.0123456789eE") == std::string::npos;
     const float value =
         plain ? std::strtof(text.c_str(), &end) : 0; // also reads "nan", "0x1p3" and leading blanks
-    if (!plain || end == text.c_str() || *end != '\0')
-        refuse(flag, text, "is not a number", right);
+    if (!plain || end == text.c_str() || *end != '\0') refuse(flag, text, "is not a number", right);
     return value;
 }
 
 vec3 read_vector(const std::string& flag, const std::string& text) {
     const std::string right = "three numbers x,y,z, as in 0,1.5,-2";
     const std::vector<std::string> parts = split_at_commas(text);
-    if (parts.size() != 3)
-        refuse(flag, text, "is not a point or direction", right);
+    if (parts.size() != 3) refuse(flag, text, "is not a point or direction", right);
     vec3 value(0);
     for (int i = 0; i < 3; ++i) {
         value[i] = read_decimal(flag, parts[std::size_t(i)], right);
-        if (!std::isfinite(value[i]))
-            refuse(flag, text, "is not finite", right);
+        if (!std::isfinite(value[i])) refuse(flag, text, "is not finite", right);
     }
     return value;
 }
 
 Crop read_crop(const std::string& text) {
     const std::vector<std::string> parts = split_at_commas(text);
-    if (parts.size() != 4)
-        refuse("--crop", text, "is not a rectangle", "four whole numbers x0,y0,x1,y1");
+    if (parts.size() != 4) refuse("--crop", text, "is not a rectangle", "four whole numbers x0,y0,x1,y1");
     const auto side = [](const std::string& part) { return read_whole("--crop", part, 0, longest_side); };
     return {side(parts[0]), side(parts[1]), side(parts[2]), side(parts[3])};
 }
@@ -222,8 +214,7 @@ std::string read_existing_file(const std::string& flag, const std::string& text)
 }
 
 std::string read_output_name(const std::string& flag, const std::string& text) {
-    if (text.empty())
-        refuse(flag, text, "is no name", "the path of a file to write");
+    if (text.empty()) refuse(flag, text, "is no name", "the path of a file to write");
     return text;
 }
 
@@ -250,8 +241,7 @@ void check_crop(const Picture& picture, const std::string& typed) {
     const Crop& crop = picture.crop;
     const std::string width = std::to_string(picture.width), height = std::to_string(picture.height);
     const std::string right = "x0,y0,x1,y1 with 0 <= x0 < x1 <= " + width + " and 0 <= y0 < y1 <= " + height;
-    if (crop.x0 >= crop.x1 || crop.y0 >= crop.y1)
-        refuse("--crop", typed, "is empty", right);
+    if (crop.x0 >= crop.x1 || crop.y0 >= crop.y1) refuse("--crop", typed, "is empty", right);
     if (crop.x1 > picture.width || crop.y1 > picture.height)
         refuse("--crop", typed, "is not inside the picture", right);
 }
@@ -292,8 +282,7 @@ std::string help_entry(const Knob& knob) {
     head +=
         head.size() + 2 <= column ? std::string(column - head.size(), ' ') : "\n" + std::string(column, ' ');
     std::string range = knob.range;
-    if (!knob.initial.empty())
-        range += (range.empty() ? "" : "; ") + ("default " + knob.initial);
+    if (!knob.initial.empty()) range += (range.empty() ? "" : "; ") + ("default " + knob.initial);
     return head + wrapped(knob.help + (range.empty() ? "" : " [" + range + "]"), column) + "\n";
 }
 
@@ -376,16 +365,14 @@ void Options::Parser::add_output() {
 const Knob* Options::Parser::find(const std::string& wanted) const {
     for (const Group* group : {&own, &standard, &output})
         for (const Knob& knob : group->knobs)
-            if (knob.name == wanted)
-                return &knob;
+            if (knob.name == wanted) return &knob;
     return nullptr;
 }
 
 std::vector<std::string> Options::Parser::names() const {
     std::vector<std::string> all{"help"};
     for (const Group* group : {&own, &standard, &output})
-        for (const Knob& knob : group->knobs)
-            all.push_back(knob.name);
+        for (const Knob& knob : group->knobs) all.push_back(knob.name);
     return all;
 }
 
@@ -403,8 +390,7 @@ void Options::Parser::take_apart(const std::vector<std::string>& words) {
 
 void Options::Parser::refuse_leftovers() const {
     const std::vector<std::string> left = app.remaining();
-    if (left.empty())
-        return;
+    if (left.empty()) return;
     const std::string& word = left.front();
     if (word.size() < 2 || word[0] != '-')
         throw Error(shown(word) + " has no flag before it: every value follows its flag, as in --width 640");
@@ -418,10 +404,8 @@ void Options::Parser::refuse_leftovers() const {
 void Options::Parser::read_all(const Group& group) const {
     for (const Knob& knob : group.knobs) {
         const std::vector<std::string>& typed = knob.option->results();
-        if (typed.empty())
-            continue;
-        if (typed.size() > 1)
-            throw Error(knob.dashed() + " is given twice: keep one");
+        if (typed.empty()) continue;
+        if (typed.size() > 1) throw Error(knob.dashed() + " is given twice: keep one");
         const std::string& text = typed.front();
         if (knob.metavar.empty() && text != "true")
             throw Error(knob.dashed() + " takes no value: leave out " + shown(text));
@@ -434,11 +418,9 @@ void Options::Parser::read_all(const Group& group) const {
 std::string Options::Parser::help() const {
     std::string text = name + ": " + question + "\n\nUse: " + name + " [flags]\n";
     for (const Group* group : {&own, &standard, &output}) {
-        if (group->knobs.empty())
-            continue;
+        if (group->knobs.empty()) continue;
         text += "\n" + group->title + "\n";
-        for (const Knob& knob : group->knobs)
-            text += help_entry(knob);
+        for (const Knob& knob : group->knobs) text += help_entry(knob);
     }
     return text + "  --help                 print this\n";
 }
@@ -448,8 +430,7 @@ Options::Options(std::string name, std::string question, Picture picture)
     parser->name = std::move(name);
     parser->question = std::move(question);
     parser->picture = std::move(picture);
-    if (parser->picture.out.empty())
-        parser->picture.out = parser->name;
+    if (parser->picture.out.empty()) parser->picture.out = parser->name;
     parser->app.allow_extras();
     parser->app.allow_windows_style_options(false);
     parser->app.set_help_flag();
@@ -468,8 +449,7 @@ const float& Options::knob(const std::string& name, float initial, float low, fl
     const std::string range = range_text(low, high);
     const auto read = [&value, low, high, range, flag = "--" + name](const std::string& text) {
         const float typed = read_decimal(flag, text, range);
-        if (!(low <= typed && typed <= high))
-            refuse(flag, text, "is out of range", range);
+        if (!(low <= typed && typed <= high)) refuse(flag, text, "is out of range", range);
         value = typed;
     };
     parser->add(parser->own, {name, "X", help, range, decimal(initial), read});
@@ -525,8 +505,7 @@ const int& Options::choice_index(const std::string& name, const std::vector<std:
 
 bool Options::given(const std::string& name) const {
     const Knob* const knob = parser->find(name);
-    if (!knob)
-        throw std::logic_error("no knob is called --" + name);
+    if (!knob) throw std::logic_error("no knob is called --" + name);
     return knob->option->count() > 0;
 }
 
@@ -537,8 +516,7 @@ bool Options::parse(int argc, const char* const* argv) {
         std::cout << parser->help() << std::flush;
         return false;
     }
-    for (const Group* group : {&parser->own, &parser->standard, &parser->output})
-        parser->read_all(*group);
+    for (const Group* group : {&parser->own, &parser->standard, &parser->output}) parser->read_all(*group);
     parser
         ->refuse_leftovers(); // after the values: a flag that lacks its own may have swallowed the next flag
     Picture& picture = parser->picture;

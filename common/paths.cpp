@@ -22,12 +22,10 @@ std::string asset(const std::string& name) {
     const std::array<std::string, 3> folders{chosen ? chosen : "", RT_SOURCE_ASSETS, RT_BUILD_ASSETS};
     std::string tried;
     for (const std::string& folder : folders) {
-        if (folder.empty())
-            continue;
+        if (folder.empty()) continue;
         const std::string path = (std::filesystem::path(folder) / name).string();
         std::error_code ignored;
-        if (std::filesystem::is_regular_file(path, ignored))
-            return path;
+        if (std::filesystem::is_regular_file(path, ignored)) return path;
         tried += (tried.empty() ? "" : ", ") + path;
     }
     throw Error("the asset " + name + " is missing, tried " + tried +

@@ -61,8 +61,7 @@ class StopHandler {
         : start(stderr_is_terminal() ? "\n" : ""), before(start + name + ": stopped: nothing was written\n"),
           during(start + name + ": stopped while writing: each file is either complete or as it was\n") {
         last_words = before.c_str();
-        for (std::size_t i = 0; i < signals.size(); ++i)
-            old[i] = std::signal(signals[i], stop);
+        for (std::size_t i = 0; i < signals.size(); ++i) old[i] = std::signal(signals[i], stop);
     }
     ~StopHandler() {
         for (std::size_t i = 0; i < signals.size(); ++i)
@@ -91,10 +90,8 @@ class StopHandler {
 void make_streams_safe() {
 #if !defined(_WIN32)
     int file = open("/dev/null", O_RDWR);
-    while (file >= 0 && file <= 2)
-        file = open("/dev/null", O_RDWR);
-    if (file > 2)
-        close(file);
+    while (file >= 0 && file <= 2) file = open("/dev/null", O_RDWR);
+    if (file > 2) close(file);
 #endif
 #if defined(SIGXFSZ) && defined(SIGPIPE)
     std::signal(SIGXFSZ, SIG_IGN); // `ulimit -f` is like a full disk
@@ -119,8 +116,7 @@ std::vector<std::string> picture_files(const std::string& out, const std::string
     if (last.empty() || last == "." || last == ".." || fs::is_directory(out, ignored))
         throw Error("--out " + out + " is a folder: name a file in it, as in " +
                     (fs::path(out) / program).string());
-    if (ending(out) == ".png" || ending(out) == ".hdr")
-        return {out};
+    if (ending(out) == ".png" || ending(out) == ".hdr") return {out};
     if (!ending(out).empty())
         throw Error("--out " + out + " ends in " + ending(out) +
                     ": a picture is NAME.png, NAME.hdr, or NAME alone for both");
@@ -136,10 +132,8 @@ bool same_file(const std::string& a, const std::string& b) {
 Outputs checked_outputs(const Options& options) {
     const Picture& picture = options.picture();
     const Outputs outputs{picture_files(picture.out, options.name()), picture.variance};
-    for (const std::string& path : outputs.pictures)
-        check_writable(path);
-    if (outputs.variance.empty())
-        return outputs;
+    for (const std::string& path : outputs.pictures) check_writable(path);
+    if (outputs.variance.empty()) return outputs;
     if (ending(outputs.variance) != ".hdr")
         throw Error("--variance " + outputs.variance +
                     " is not an .hdr file: give it a name like variance.hdr");
@@ -189,16 +183,14 @@ std::string cost(const Tally& tally, double seconds) {
 /// A message keeps to its line, whatever was typed or named in a file.
 int complain(const std::string& program, std::string message) {
     for (char& c : message)
-        if (c == '\n' || c == '\r' || c == '\t' || c == '\x1b')
-            c = ' ';
+        if (c == '\n' || c == '\r' || c == '\t' || c == '\x1b') c = ' ';
     std::cout << std::flush;
     std::cerr << program + ": " + message + "\n" << std::flush;
     return 2;
 }
 
 void warn_not_finite(const std::string& program, const Film& film) {
-    if (film.not_finite == 0)
-        return;
+    if (film.not_finite == 0) return;
     std::cerr << program + ": warning: " + std::to_string(film.not_finite) +
                      (film.not_finite == 1 ? " sample is" : " samples are") +
                      " not finite, the first at pixel " + std::to_string(film.first_x) + "," +
@@ -215,8 +207,7 @@ double seconds_since(Clock::time_point start) {
 
 /// Prints a line at once, unless --quiet.
 void say(const Picture& picture, const std::string& line) {
-    if (!picture.quiet)
-        std::cout << line << std::flush;
+    if (!picture.quiet) std::cout << line << std::flush;
 }
 
 /// Renders with a progress bar; answers the film and says how long it took.
@@ -234,10 +225,8 @@ void write_outputs(const Outputs& outputs, const Film& film) {
         write_image(path, image);
         wrote += "wrote " + absolute_path(path) + "\n";
     };
-    for (const std::string& path : outputs.pictures)
-        write(path, film.mean);
-    if (!outputs.variance.empty())
-        write(outputs.variance, film.variance);
+    for (const std::string& path : outputs.pictures) write(path, film.mean);
+    if (!outputs.variance.empty()) write(outputs.variance, film.variance);
     std::cout << wrote << std::flush;
 }
 
@@ -249,14 +238,11 @@ void run(const Options& options, const std::function<void(const RenderCall&)>& b
     double render_seconds = 0;
     const Clock::time_point start = Clock::now();
     body([&](const SampleFunction& radiance) {
-        if (film)
-            throw std::logic_error("main.cpp calls render() twice");
-        if (seconds_since(start) > 0.1)
-            say(picture, format("scene %.2f s\n", seconds_since(start)));
+        if (film) throw std::logic_error("main.cpp calls render() twice");
+        if (seconds_since(start) > 0.1) say(picture, format("scene %.2f s\n", seconds_since(start)));
         film = timed_render(picture, radiance, render_seconds);
     });
-    if (!film)
-        throw std::logic_error("main.cpp never calls render()");
+    if (!film) throw std::logic_error("main.cpp never calls render()");
     warn_not_finite(options.name(), *film);
     say(picture, cost(film->tally, render_seconds));
     handler.writing_begins();
@@ -270,8 +256,7 @@ int run_program(Options& options, int argc, const char* const* argv,
     make_streams_safe();
     StopHandler handler(options.name());
     try {
-        if (options.parse(argc, argv))
-            run(options, body, handler);
+        if (options.parse(argc, argv)) run(options, body, handler);
         if (!std::cout.flush())
             throw Error(
                 "stdout takes no more text (is the disk full, or did the reader leave?); all else went well");

@@ -31,8 +31,7 @@ bool is_terminal(int stream) {
 int columns() {
 #if defined(TIOCGWINSZ)
     winsize size{};
-    if (ioctl(2, TIOCGWINSZ, &size) == 0 && size.ws_col > 0)
-        return size.ws_col - 1;
+    if (ioctl(2, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) return size.ws_col - 1;
 #endif
     return 79;
 }
@@ -56,8 +55,7 @@ std::string progress_line(float share, double seconds, int width) {
     const std::string rest =
         share > 0 ? "  " + clock_time(seconds * (1 - double(share)) / double(share)) + " left" : "";
     std::string line = percent.data();
-    if (int(line.size() + rest.size()) <= width)
-        line += rest;
+    if (int(line.size() + rest.size()) <= width) line += rest;
     const int bar = std::min(40, width - 25);
     if (bar >= 10) {
         const int full = int(share * float(bar));
@@ -86,14 +84,12 @@ Progress::Progress(bool quiet)
       last(start) {}
 
 Progress::~Progress() {
-    if (visible)
-        draw("", columns());
+    if (visible) draw("", columns());
 }
 
 void Progress::show(float share) {
     const auto now = std::chrono::steady_clock::now();
-    if (!visible || now - last < std::chrono::milliseconds(100))
-        return;
+    if (!visible || now - last < std::chrono::milliseconds(100)) return;
     last = now;
     const int width = columns();
     const double seconds = std::chrono::duration<double>(now - start).count();

@@ -22,8 +22,7 @@ namespace {
 int tile_side(const Crop& crop, int threads) {
     const std::int64_t pixels = std::int64_t(crop.x1 - crop.x0) * (crop.y1 - crop.y0);
     int side = 16;
-    while (side > 1 && pixels < std::int64_t(threads) * 8 * side * side)
-        side /= 2;
+    while (side > 1 && pixels < std::int64_t(threads) * 8 * side * side) side /= 2;
     return side;
 }
 
@@ -149,15 +148,13 @@ void Job::render_pixel(int x, int y, Findings& found) {
 
 void Job::render_tile(const Crop& tile, Findings& found) {
     for (int y = tile.y0; y < tile.y1; ++y)
-        for (int x = tile.x0; x < tile.x1; ++x)
-            render_pixel(x, y, found);
+        for (int x = tile.x0; x < tile.x1; ++x) render_pixel(x, y, found);
 }
 
 void Job::finish_tile() {
     const std::lock_guard lock(mutex);
     ++finished;
-    if (progress)
-        progress(float(double(finished) / double(tiles.count())));
+    if (progress) progress(float(double(finished) / double(tiles.count())));
 }
 
 // One thread's share of the work. What is thrown here is kept for the caller and ends the other threads soon.
@@ -171,8 +168,7 @@ void Job::work() noexcept {
     } catch (...) {
         next = tiles.count();
         const std::lock_guard lock(mutex);
-        if (!failure)
-            failure = std::current_exception();
+        if (!failure) failure = std::current_exception();
     }
     found.tally = tally; // a new thread's starts at zero
     const std::lock_guard lock(mutex);
@@ -183,21 +179,17 @@ void Job::work() noexcept {
 void Job::start(std::vector<std::thread>& workers, int threads) {
     workers.reserve(std::size_t(threads));
     try {
-        while (int(workers.size()) < threads)
-            workers.emplace_back([this] { work(); });
+        while (int(workers.size()) < threads) workers.emplace_back([this] { work(); });
     } catch (const std::system_error&) {
-        if (workers.empty())
-            throw;
+        if (workers.empty()) throw;
     }
 }
 
 Film Job::run(int threads) {
     std::vector<std::thread> workers;
     start(workers, threads);
-    for (std::thread& worker : workers)
-        worker.join();
-    if (failure)
-        std::rethrow_exception(failure);
+    for (std::thread& worker : workers) worker.join();
+    if (failure) std::rethrow_exception(failure);
     film.not_finite = total.not_finite;
     if (total.not_finite > 0) {
         film.first_x = total.x;

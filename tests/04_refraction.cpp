@@ -73,8 +73,7 @@ Ray ray_beside(float offset) {
 /// The ray that goes on through the first boundary that `ray` meets, if any does.
 std::optional<Ray> passed(const Glassware& scene, const Ray& ray) {
     const auto hit = intersect(scene, ray);
-    if (!hit)
-        return std::nullopt;
+    if (!hit) return std::nullopt;
     const Glass& glass = std::get<Glass>(scene.materials[std::size_t(hit->material)]);
     return refracted_ray(ray, *hit, boundary(glass, ray, *hit));
 }
@@ -115,8 +114,7 @@ TEST_CASE("n sin(theta) is the same on both sides of a boundary, and no ray leav
     for (const float eta : {1 / 2.417f, 1 / 1.5f, 1 / 1.333f, 0.9f, 1.0f, 1.1f, 1.333f, 1.5f, 2.417f}) {
         for (float degrees = 0; degrees < 89.5f; degrees += 3.7f) {
             const float sin_t = eta * std::sin(glm::radians(degrees));
-            if (sin_t > 0.9999f)
-                continue; // total reflection, which others check
+            if (sin_t > 0.9999f) continue; // total reflection, which others check
             INFO("eta = n_i / n_t = ", eta, ", angle of incidence ", degrees);
             const auto direction = refract(arriving(degrees), normal, eta);
             REQUIRE(direction);
@@ -205,8 +203,7 @@ TEST_CASE("light that enters the denser medium is never totally reflected") {
 TEST_CASE("an air bubble reflects all light that passes further than R / n from its centre") {
     const Glassware scene = ball_of(bubble);
     for (float offset = 0; offset < 1; offset += 0.02f) {
-        if (std::abs(offset - 1 / 1.5f) < 0.001f)
-            continue;
+        if (std::abs(offset - 1 / 1.5f) < 0.001f) continue;
         INFO("offset ", offset, " radii, total reflection begins at .6667");
         const Ray ray = ray_beside(offset);
         const auto hit = intersect(scene, ray);
@@ -308,10 +305,8 @@ TEST_CASE("a boundary reflects between nothing and everything, and everything wh
                 if (!(share >= 0 && share <= 1))
                     FAIL_CHECK("fresnel(", float(i) / 1000, ", ", eta, ") = ", share);
             }
-            if (ior > 1)
-                CHECK(fresnel(0, eta) == approx(1));
-            if (ior >= 1.0625f)
-                CHECK(fresnel(1e-4f, eta) == approx(1, 5e-3f));
+            if (ior > 1) CHECK(fresnel(0, eta) == approx(1));
+            if (ior >= 1.0625f) CHECK(fresnel(1e-4f, eta) == approx(1, 5e-3f));
         }
     }
 }
@@ -574,8 +569,7 @@ TEST_CASE("a ray that just grazes glass is finite and goes nowhere but along it"
         for (const float degrees : {89.9f, 89.99f, 89.999f, 90.0f}) {
             INFO("eta ", eta, " at ", degrees, " degrees");
             const auto direction = refract(arriving(degrees), normal, eta);
-            if (!direction)
-                continue;
+            if (!direction) continue;
             CHECK(std::isfinite(dot(*direction, *direction)));
             CHECK(length(*direction) == approx(2, 1e-4f));
             CHECK(dot(*direction, normal) <= 1e-4f);

@@ -29,8 +29,7 @@ vec3 random_point(Random& random) {
 vec3 random_direction(Random& random) {
     while (true) {
         const vec3 p = 2.0f * random_point(random) - 1.0f;
-        if (dot(p, p) < 1 && dot(p, p) > 0.01f)
-            return 1.7f * p; // of any length
+        if (dot(p, p) < 1 && dot(p, p) > 0.01f) return 1.7f * p; // of any length
     }
 }
 
@@ -83,8 +82,7 @@ ObjFile icosphere(int level) {
     ObjFile file = empty_file();
     file.positions = {{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
                       {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
-    for (vec3& p : file.positions)
-        p = normalize(p);
+    for (vec3& p : file.positions) p = normalize(p);
     std::vector<std::array<int, 3>> faces = {{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
                                              {1, 5, 9},  {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
                                              {3, 9, 4},  {3, 4, 2},  {3, 2, 6},   {3, 6, 8},  {3, 8, 9},
@@ -128,8 +126,7 @@ ObjFile cube() {
 }
 
 void transform(ObjFile& file, float scale, vec3 shift) {
-    for (vec3& position : file.positions)
-        position = scale * position + shift;
+    for (vec3& position : file.positions) position = scale * position + shift;
 }
 
 Scene scene_of(const ObjFile& file, float crease = 40) {
@@ -149,11 +146,9 @@ void check_tree_changes_nothing(Scene scene, const Box& box, int count, std::uin
     for (int i = 0; i < count; ++i) {
         const vec3 target = mix(box.low, box.high, random_point(random));
         vec3 origin = middle(box) + size * random_direction(random);
-        if (i % 4 == 0)
-            origin = mix(box.low, box.high, random_point(random)); // from within
+        if (i % 4 == 0) origin = mix(box.low, box.high, random_point(random)); // from within
         Ray ray{origin, target - origin};
-        if (i % 3 == 0)
-            ray.t_max = 1.2f; // a segment
+        if (i % 3 == 0) ray.t_max = 1.2f; // a segment
         scene.accel = Accel::brute;
         const auto brute = intersect(scene, ray);
         const bool shadow = occluded(scene, ray);
@@ -225,8 +220,7 @@ std::vector<Box> boxes_of(const ObjFile& file) {
     std::vector<Box> boxes;
     for (const auto& triangle : file.triangles) {
         Box box;
-        for (const ObjCorner& corner : triangle)
-            grow(box, file.positions[std::size_t(corner.position)]);
+        for (const ObjCorner& corner : triangle) grow(box, file.positions[std::size_t(corner.position)]);
         boxes.push_back(box);
     }
     return boxes;
@@ -282,16 +276,13 @@ TEST_CASE("where a ray meets a triangle, its point is the weighted mean of the c
     Random random(3);
     for (int i = 0; i < 1000; ++i) {
         vec2 uv = random.uniform2();
-        if (uv.x + uv.y > 1)
-            uv = 1.0f - uv;
+        if (uv.x + uv.y > 1) uv = 1.0f - uv;
         const vec3 target = (1 - uv.x - uv.y) * a + uv.x * b + uv.y * c;
         const Ray ray{target + 4.0f * random_direction(random), {}, 0, infinity};
         const Ray aimed{ray.origin, (target - ray.origin) / 2.5f};
         const auto hit = intersect(a, b, c, aimed);
-        if (std::min({uv.x, uv.y, 1 - uv.x - uv.y}) < 1e-3f)
-            continue; // too near an edge to insist
-        if (std::abs(dot(normalize(aimed.direction), normalize(cross(b - a, c - a)))) < 0.05f)
-            continue;
+        if (std::min({uv.x, uv.y, 1 - uv.x - uv.y}) < 1e-3f) continue; // too near an edge to insist
+        if (std::abs(dot(normalize(aimed.direction), normalize(cross(b - a, c - a)))) < 0.05f) continue;
         INFO("u, v = ", uv);
         REQUIRE_MESSAGE(hit, "the ray points into the triangle: s = O - A, and both sides count");
         CHECK_MESSAGE(hit->t == approx(2.5f, 1e-4f), "1/det missing, or t of a unit direction");
@@ -361,8 +352,7 @@ TEST_CASE("no ray slips through the edge that two triangles share") {
         if (dot(n1, d) * dot(n2, d) < 0 || std::min(std::abs(dot(n1, d)), std::abs(dot(n2, d))) < 0.05f)
             continue; // seen from here, both lie on the same side of the edge
         const Ray ray{from, target - from};
-        if (intersect(p, q, r, ray) || intersect(q, p, far, ray))
-            continue;
+        if (intersect(p, q, r, ray) || intersect(q, p, far, ray)) continue;
         if (slipped++ == 0)
             first =
                 to_text(from) + " to " + to_text(target) + " on the edge " + to_text(p) + " " + to_text(q);
@@ -410,12 +400,10 @@ TEST_CASE("a ray enters a box where it first touches one of its faces") {
                         within = std::min({within, p[other] - double(box_3x3x2.low[other]),
                                            double(box_3x3x2.high[other]) - p[other]});
                 margin = std::min(margin, std::abs(within));
-                if (within > 0 && t > 0)
-                    first = std::min(first, t);
+                if (within > 0 && t > 0) first = std::min(first, t);
             }
         }
-        if (margin < 1e-4)
-            continue; // through an edge
+        if (margin < 1e-4) continue; // through an edge
         const vec3 from_middle = abs(ray.origin - middle(box_3x3x2));
         const bool starts_inside = from_middle.x < 1.5f && from_middle.y < 1.5f && from_middle.z < 1;
         const auto t = entry(box_3x3x2, ray);
@@ -595,8 +583,7 @@ TEST_CASE("the tree finds what asking every triangle finds, on a flat grid") {
 
 TEST_CASE("the tree finds what asking every triangle finds, among 100 identical triangles, one, and none") {
     ObjFile identical = empty_file(), one = empty_file();
-    for (int i = 0; i < 100; ++i)
-        add_triangle(identical, a, b, c);
+    for (int i = 0; i < 100; ++i) add_triangle(identical, a, b, c);
     add_triangle(one, a, b, c);
     check_tree_changes_nothing(identical, 1000);
     check_tree_changes_nothing(one, 1000);
@@ -668,8 +655,7 @@ TEST_CASE("the nearest of several things is met, whichever kind it is") {
         for (const Accel accel : {Accel::brute, Accel::bvh}) {
             Scene scene;
             scene.accel = accel;
-            for (int kind = 0; kind < 3; ++kind)
-                add(scene, Diffuse{vec3(0.5f)});
+            for (int kind = 0; kind < 3; ++kind) add(scene, Diffuse{vec3(0.5f)});
             scene.spheres = {{{0, 0, depth(0) - 0.25f}, 0.25f, 0}};
             scene.planes = {{{0, 0, depth(1)}, {0, 0, 1}, 1}};
             scene.quads = {{{-1, -1, depth(2)}, {2, 0, 0}, {0, 2, 0}, 2}};
@@ -694,15 +680,13 @@ TEST_CASE("each shape lies in exactly one leaf, and children lie inside their pa
     check_tree(boxes_of(random_triangles(5000, 0.1f)));
     check_tree(boxes_of(flat_grid(30)));
     check_tree(boxes_of(icosphere(3)));
-    for (int count = 0; count < 40; ++count)
-        check_tree(boxes_of(random_triangles(count, 0.5f, 100)));
+    for (int count = 0; count < 40; ++count) check_tree(boxes_of(random_triangles(count, 0.5f, 100)));
 }
 
 TEST_CASE("shapes that share one middle come apart all the same") {
     check_tree(std::vector<Box>(5000, Box{{1, 2, 3}, {4, 5, 6}}));
     std::vector<Box> shells;
-    for (int i = 1; i <= 5000; ++i)
-        shells.push_back({vec3(-float(i)), vec3(float(i))});
+    for (int i = 1; i <= 5000; ++i) shells.push_back({vec3(-float(i)), vec3(float(i))});
     const int depth = check_tree(shells);
     CHECK_MESSAGE(depth <= 40, "halving 5,000 of them takes 13 levels or so");
 }
@@ -728,8 +712,7 @@ TEST_CASE("a tree over shapes that double their distance does not get deeper tha
     std::vector<Box> star; // along six half-axes at once, so that one axis after the other is used up
     for (const vec3 axis : {vec3(1, 1e-3f, 1e-3f), vec3(1e-3f, 1, 1e-3f), vec3(1e-3f, 1e-3f, 1)})
         for (const float sign : {1.0f, -1.0f})
-            for (const Box& box : exponential_chain(-60, 60, sign * axis))
-                star.push_back(box);
+            for (const Box& box : exponential_chain(-60, 60, sign * axis)) star.push_back(box);
     check_tree(star);
     std::vector<Box> nested; // ever larger boxes, each from the same corner
     for (int k = -60; k < 60; ++k)
@@ -793,8 +776,7 @@ TEST_CASE("a walk goes to the near boxes first and passes over those beyond what
             tally = {};
             traverse(bvh, ray, [&](std::uint32_t shape) {
                 ++calls;
-                if (const auto t = entry(row[shape], slab, ray.t_min, ray.t_max))
-                    ray.t_max = *t;
+                if (const auto t = entry(row[shape], slab, ray.t_min, ray.t_max)) ray.t_max = *t;
                 return false;
             });
             INFO("axis ", axis, ", sign ", sign, ": ", calls, " shapes asked, ", tally.box_tests, " boxes");
@@ -906,8 +888,7 @@ TEST_CASE("an icosphere of level 4 has nearly the area and the volume of the bal
         const auto corner = corners(scene.mesh, i);
         area += double(length(area_normal(corner))) / 2;
         volume += double(dot(corner[0], cross(corner[1], corner[2]))) / 6;
-        if (!(dot(area_normal(corner), corner[0]) > 0))
-            FAIL_CHECK("triangle ", i, " faces inward");
+        if (!(dot(area_normal(corner), corner[0]) > 0)) FAIL_CHECK("triangle ", i, " faces inward");
     }
     CHECK(scene.mesh.triangles.size() == 5120);
     CHECK_MESSAGE(scene.mesh.positions.size() == 2562, "corners are shared: V - E + F = 2");
@@ -926,8 +907,7 @@ TEST_CASE("a line crosses a closed mesh an even number of times, by turns inward
         int crossings = 0;
         while (crossings < 20) {
             const auto hit = intersect(scene, ray);
-            if (!hit)
-                break;
+            if (!hit) break;
             wrong_side += hit->inside != (crossings % 2 == 1);
             ray.t_min = hit->t + hit->error / length(ray.direction);
             ++crossings;
@@ -947,8 +927,7 @@ TEST_CASE("the true normal of a hit is unit, at right angles to the triangle and
     ObjFile file = empty_file();
     add_triangle(file, a, b, c);
     file.normals = {vec3(1, -1, 3)};
-    for (ObjCorner& corner : file.triangles[0])
-        corner.normal = 0;
+    for (ObjCorner& corner : file.triangles[0]) corner.normal = 0;
     const Scene scene = scene_of(file);
     const vec3 n = normalize(cross(b - a, c - a));
     for (const float side : {1.0f, -1.0f}) {
@@ -1054,20 +1033,16 @@ TEST_CASE("a normal is bent no further than needed for a mirror to clear the sur
     for (int i = 0; i < 20000; ++i) {
         const vec3 geometric = normalize(random_direction(random));
         vec3 direction = normalize(random_direction(random)), smooth = normalize(random_direction(random));
-        if (dot(direction, geometric) > 0)
-            direction = -direction;
-        if (dot(smooth, geometric) < 0)
-            smooth = -smooth;
-        if (dot(smooth, geometric) < 0.05f || dot(direction, geometric) > -0.02f)
-            continue;
+        if (dot(direction, geometric) > 0) direction = -direction;
+        if (dot(smooth, geometric) < 0) smooth = -smooth;
+        if (dot(smooth, geometric) < 0.05f || dot(direction, geometric) > -0.02f) continue;
         const vec3 cleared = clearing(direction, smooth, geometric);
         const vec3 reflected = reflect(direction, cleared);
         if (!(length(cleared) == approx(1, 1e-4f) && dot(reflected, geometric) > 0))
             FAIL_CHECK("d ", direction, ", smooth ", smooth, ", true ", geometric, ": got ", cleared,
                        ", which sends the light into the surface");
         if (dot(reflect(direction, smooth), geometric) > 0.02f) {
-            if (cleared != smooth)
-                FAIL_CHECK("a normal that is fine stays as it is");
+            if (cleared != smooth) FAIL_CHECK("a normal that is fine stays as it is");
         } else {
             ++bent;
         }
@@ -1085,8 +1060,7 @@ TEST_CASE("a mirror on a smoothed mesh never sends a ray into the mesh") {
         const vec3 from = 3.0f * normalize(random_direction(random));
         const Ray ray{from, 0.9f * normalize(random_direction(random)) - from};
         const auto hit = intersect(scene, ray);
-        if (!hit)
-            continue;
+        if (!hit) continue;
         into += !(dot(mirror_ray(ray, *hit).direction, hit->geometric_normal) > 0);
         into += !(dot(ray.direction, hit->normal) < 0);
     }
@@ -1102,8 +1076,7 @@ TEST_CASE("the normal of a hit does not depend on the length of the ray's direct
         const vec3 rim = normalize(cross(from, random_direction(random))); // rays that graze the ball
         const vec3 way = (0.8f + 0.2f * random.uniform()) * rim - from;
         const auto slow = intersect(scene, Ray{from, way}), fast = intersect(scene, Ray{from, 8.0f * way});
-        if (!slow || !fast)
-            continue;
+        if (!slow || !fast) continue;
         different += !(slow->normal == approx(fast->normal, 1e-3f));
     }
     CHECK(different == 0);
@@ -1219,8 +1192,7 @@ TEST_CASE("the stage shows all of any model, in a picture of any shape") {
                 CHECK(std::abs(y) <= 1);
                 reach = std::max({reach, std::abs(x), std::abs(y)});
             }
-            if (box.low != box.high)
-                CHECK_MESSAGE(reach > 0.2f, "and it is not lost in the distance");
+            if (box.low != box.high) CHECK_MESSAGE(reach > 0.2f, "and it is not lost in the distance");
             CHECK(stage.floor.y == box.low.y);
             CHECK(stage.lamp.y > box.high.y);
             CHECK(pose.from.y > middle(box).y);
@@ -1237,8 +1209,7 @@ TEST_CASE("a user's model stands on a floor under a lamp, or alone if it is to b
         const ModelKnobs knobs(options);
         const std::string path = file.path.string();
         std::vector<const char*> arguments = {"05_mesh_bvh", "--mesh", path.c_str()};
-        if (bare)
-            arguments.push_back("--bare");
+        if (bare) arguments.push_back("--bare");
         REQUIRE(options.parse(int(arguments.size()), arguments.data()));
         Scene scene;
         const Pose pose = stage_model(scene, knobs, 1.6f);
@@ -1248,8 +1219,7 @@ TEST_CASE("a user's model stands on a floor under a lamp, or alone if it is to b
         CHECK(scene.lights.empty() == bare);
         const Ray ray = camera_ray(make_camera(pose, 160, 100), {80, 50});
         CHECK(intersect(scene, ray).has_value());
-        if (!bare)
-            CHECK(scene.planes[0].point.y == 0);
+        if (!bare) CHECK(scene.planes[0].point.y == 0);
     }
 }
 
@@ -1274,8 +1244,7 @@ TEST_CASE(
     for (int y = 0; y < 60; ++y) {
         for (int x = 0; x < 60; ++x) {
             const Ray ray = camera_ray(camera, vec2(x, y) + 0.5f);
-            if (!intersect(scene, ray))
-                continue;
+            if (!intersect(scene, ray)) continue;
             ++covered;
             const vec3 light = radiance(scene, ray, 3);
             unlit += !(light.x >= 0 && light.x < 10);

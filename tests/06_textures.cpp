@@ -61,8 +61,7 @@ class Folder {
     /// A picture of one colour; returned is that colour as 8 bits keep it.
     vec3 write_picture(const std::string& name, vec3 linear) const {
         Image image(2, 3);
-        for (vec3& pixel : image.pixels)
-            pixel = linear;
+        for (vec3& pixel : image.pixels) pixel = linear;
         write_image(file(name), image);
         return read_image(file(name))(0, 0);
     }
@@ -172,8 +171,7 @@ TEST_CASE("the middle of a texel returns the texel exactly") {
     }
     const Texture checker = texture_of(4, 4, std::vector<vec3>(16, grey));
     Texture powers = checker;
-    for (std::size_t i = 0; i < 16; ++i)
-        powers.texels[i] = vec3(float(i) / 16, float(i), 0.1f * float(i));
+    for (std::size_t i = 0; i < 16; ++i) powers.texels[i] = vec3(float(i) / 16, float(i), 0.1f * float(i));
     for (int i = 0; i < 16; ++i)
         CHECK(bilinear(powers, {(float(i % 4) + 0.5f) / 4, (float(i / 4) + 0.5f) / 4}) ==
               texel(powers, i % 4, i / 4));
@@ -282,8 +280,7 @@ TEST_CASE("on a sphere u grows eastward from 0 to 1") {
         // Looked at from outside with north up, east is to the right: from +z to +x, seen from between them.
         const float east = glm::radians(float(i) - 90);
         const float u = sphere_uv({0.8f * std::sin(east), 0.6f, 0.8f * std::cos(east)}).x;
-        if (!(u >= 0 && u <= 1))
-            FAIL_CHECK("u = ", u, " lies outside [0, 1]");
+        if (!(u >= 0 && u <= 1)) FAIL_CHECK("u = ", u, " lies outside [0, 1]");
         if (!(u > previous))
             FAIL_CHECK("u falls from ", previous, " to ", u, " at ", i, " degrees: a mirror Earth");
         previous = u;
@@ -345,8 +342,7 @@ TEST_CASE("a picture on a mesh follows the uv of the corners") {
     file.triangles = {{{{0, 0}, {1, 1}, {2, 2}}}, {{{3, 3}, {0, 0}, {2, 2}}}};
     file.materials = {0, 0};
     Bitmap bitmap{3, 2, {}};
-    for (int i = 0; i < 18; ++i)
-        bitmap.values.push_back(code(14 * i));
+    for (int i = 0; i < 18; ++i) bitmap.values.push_back(code(14 * i));
     file.textures = {bitmap};
     file.material_list = {{.name = "card", .diffuse = vec3(1), .texture = 0}};
     Scene scene = evenly_lit();
@@ -567,8 +563,7 @@ TEST_CASE("a glass model stays glass, and a tree changes nothing about textured 
         const vec3 tree = radiance(scene, ray, 2);
         const bool tree_shadow = occluded(scene, ray);
         scene.accel = Accel::brute;
-        if (!(radiance(scene, ray, 2) == approx(tree)))
-            FAIL_CHECK("ray ", i, " differs");
+        if (!(radiance(scene, ray, 2) == approx(tree))) FAIL_CHECK("ray ", i, " differs");
         CHECK(occluded(scene, ray) == tree_shadow);
     }
 }

@@ -83,10 +83,10 @@ class Mean {
     /// infinity.
     double z(double expected) const {
         const double error = average - expected;
-        if (standard_error() > 0)
-            return error / standard_error();
+        if (standard_error() > 0) return error / standard_error();
         const double rounding = 1e-6 * std::max(1.0, std::abs(expected));
-        return std::abs(error) <= rounding ? 0 : std::copysign(std::numeric_limits<double>::infinity(), error);
+        return std::abs(error) <= rounding ? 0
+                                           : std::copysign(std::numeric_limits<double>::infinity(), error);
     }
 
     /// For INFO(m.against(expected)).

@@ -11,7 +11,9 @@ struct Counter : doctest::IReporter {
     inline static unsigned selected = 0;
 
     explicit Counter(const doctest::ContextOptions&) {}
-    void test_run_end(const doctest::TestRunStats& stats) override { selected = stats.numTestCasesPassingFilters; }
+    void test_run_end(const doctest::TestRunStats& stats) override {
+        selected = stats.numTestCasesPassingFilters;
+    }
 
     void report_query(const doctest::QueryData&) override {}
     void test_run_start() override {}

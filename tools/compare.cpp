@@ -18,8 +18,7 @@ struct Question {
 rt::Verdict answer(const Question& question) {
     const rt::Image test = rt::read_image(question.test);
     const rt::Image reference = rt::read_image(question.reference);
-    if (question.test_variance.empty())
-        return rt::verdict(rt::difference(test, reference));
+    if (question.test_variance.empty()) return rt::verdict(rt::difference(test, reference));
     return rt::verdict(rt::tile_difference(test, reference, rt::read_image(question.test_variance),
                                            rt::read_image(question.reference_variance)));
 }

@@ -17,9 +17,9 @@ namespace {
 
 constexpr int columns = 4;
 constexpr int cell_width = 480, cell_height = 300;
-constexpr int gap = 20;          // between cells and around them
-constexpr int caption = 38;      // the strip under a cell
-constexpr int dot = 2;           // a letter's dot is 2 x 2 pixels
+constexpr int gap = 20;                         // between cells and around them
+constexpr int caption = 38;                     // the strip under a cell
+constexpr int dot = 2;                          // a letter's dot is 2 x 2 pixels
 const vec3 background(0.0075f, 0.008f, 0.010f); // linear, as everything here
 const vec3 number_colour(0.95f, 0.50f, 0.12f);
 const vec3 name_colour(0.62f, 0.64f, 0.68f);
@@ -55,8 +55,7 @@ constexpr std::array<std::string_view, 21> strips = {
 /// True where letter `c` has ink; what is no letter or digit is blank.
 bool has_ink(char c, int x, int y) {
     const std::size_t index = letters.find(char(std::toupper(static_cast<unsigned char>(c))));
-    if (index == std::string_view::npos)
-        return false;
+    if (index == std::string_view::npos) return false;
     const std::string_view row = strips[index / 12 * 7 + std::size_t(y)];
     const std::size_t column = index % 12 * 6 + std::size_t(x);
     return row[column] == '#';
@@ -66,8 +65,7 @@ void write_text(Image& sheet, int left, int top, std::string_view text, vec3 col
     for (std::size_t i = 0; i < text.size(); ++i)
         for (int y = 0; y < 7 * dot; ++y)
             for (int x = 0; x < 5 * dot; ++x)
-                if (has_ink(text[i], x / dot, y / dot))
-                    sheet(left + int(i) * 6 * dot + x, top + y) = colour;
+                if (has_ink(text[i], x / dot, y / dot)) sheet(left + int(i) * 6 * dot + x, top + y) = colour;
 }
 
 /// The mean of the picture over the box [x0, x1) x [y0, y1), pixels at the border counting by the part inside.
@@ -76,8 +74,8 @@ vec3 box_mean(const Image& image, double x0, double y0, double x1, double y1) {
     double area = 0;
     for (int y = int(y0); y < image.height && y < y1; ++y)
         for (int x = int(x0); x < image.width && x < x1; ++x) {
-            const double part =
-                (std::min(x1, x + 1.0) - std::max(x0, double(x))) * (std::min(y1, y + 1.0) - std::max(y0, double(y)));
+            const double part = (std::min(x1, x + 1.0) - std::max(x0, double(x))) *
+                                (std::min(y1, y + 1.0) - std::max(y0, double(y)));
             sum += float(part) * image(x, y);
             area += part;
         }

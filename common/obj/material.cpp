@@ -25,20 +25,16 @@ std::vector<fs::path> candidates(const std::string& name, const std::vector<fs::
     std::vector<fs::path> paths;
     const auto add = [&](const fs::path& path) {
         const fs::path normal = path.lexically_normal();
-        if (std::find(paths.begin(), paths.end(), normal) == paths.end())
-            paths.push_back(normal);
+        if (std::find(paths.begin(), paths.end(), normal) == paths.end()) paths.push_back(normal);
     };
-    for (const fs::path& folder : folders)
-        add(folder / name); // an absolute name stays as it is
-    for (const fs::path& folder : folders)
-        add(folder / fs::path(name).filename());
+    for (const fs::path& folder : folders) add(folder / name); // an absolute name stays as it is
+    for (const fs::path& folder : folders) add(folder / fs::path(name).filename());
     return paths;
 }
 
 std::string listed(const std::vector<fs::path>& paths) {
     std::string text;
-    for (const fs::path& path : paths)
-        text += (text.empty() ? "" : ", ") + path.string();
+    for (const fs::path& path : paths) text += (text.empty() ? "" : ", ") + path.string();
     return text;
 }
 
@@ -51,8 +47,7 @@ std::vector<std::string> split(const std::string& text, char separator) {
     std::vector<std::string> parts;
     std::istringstream stream(text);
     for (std::string part; std::getline(stream, part, separator);) {
-        if (!part.empty())
-            parts.push_back(part);
+        if (!part.empty()) parts.push_back(part);
     }
     return parts;
 }
@@ -68,8 +63,7 @@ Bitmap checker() {
 }
 
 float clamped(float value, float low, float high, const std::string& where, const char* what) {
-    if (value >= low && value <= high)
-        return value;
+    if (value >= low && value <= high) return value;
     const float kept = value < low ? low : high;
     std::ostringstream message;
     message << where << ": " << what << " is " << value << " and is taken as " << kept;
@@ -79,8 +73,7 @@ float clamped(float value, float low, float high, const std::string& where, cons
 
 vec3 clamped(const float (&value)[3], float high, const std::string& where, const char* what) {
     vec3 kept(0.0f);
-    for (int i = 0; i < 3; ++i)
-        kept[i] = clamped(value[i], 0, high, where, what);
+    for (int i = 0; i < 3; ++i) kept[i] = clamped(value[i], 0, high, where, what);
     return kept;
 }
 
@@ -93,18 +86,15 @@ bool asks_for_refraction(int illum) {
 }
 
 vec3 diffuse_of(const tinyobj::material_t& source, const std::string& where) {
-    if (source.diffuse[0] != unstated)
-        return clamped(source.diffuse, 1, where, "Kd");
-    if (!source.diffuse_texname.empty())
-        return vec3(1.0f); // the texture alone is the colour
+    if (source.diffuse[0] != unstated) return clamped(source.diffuse, 1, where, "Kd");
+    if (!source.diffuse_texname.empty()) return vec3(1.0f); // the texture alone is the colour
     const bool shines = source.emission[0] > 0 || source.emission[1] > 0 || source.emission[2] > 0;
     return shines ? vec3(0.0f) : ObjMaterial{}.diffuse;
 }
 
 float reflectivity_of(const tinyobj::material_t& source, const std::string& where) {
     const float metal = clamped(source.metallic, 0, 1, where, "Pm");
-    if (!asks_for_reflection(source.illum))
-        return metal;
+    if (!asks_for_reflection(source.illum)) return metal;
     const vec3 specular = clamped(source.specular, 1, where, "Ks");
     return std::max(metal, (specular.x + specular.y + specular.z) / 3);
 }
@@ -142,8 +132,7 @@ bool MaterialLibraries::operator()(const std::string& names, std::vector<tinyobj
 
 int TextureLoader::find_or_read(const std::string& file) {
     const auto [place, is_new] = known.emplace(fs::weakly_canonical(file).string(), int(bitmaps.size()));
-    if (!is_new)
-        return place->second;
+    if (!is_new) return place->second;
     try {
         bitmaps.push_back(read_bitmap(file));
     } catch (...) {
@@ -155,13 +144,11 @@ int TextureLoader::find_or_read(const std::string& file) {
 
 int TextureLoader::load(const fs::path& mtl, const std::string& name) {
     const auto missing = known.find("missing " + name);
-    if (missing != known.end())
-        return missing->second;
+    if (missing != known.end()) return missing->second;
     const std::vector<fs::path> paths = candidates(name, {mtl.parent_path(), obj_path.parent_path()});
     std::string reason = "no such file";
     for (const fs::path& path : paths) {
-        if (!is_there(path))
-            continue;
+        if (!is_there(path)) continue;
         try {
             return find_or_read(path.string());
         } catch (const Error& error) {
@@ -183,8 +170,7 @@ ObjMaterial converted(const tinyobj::material_t& source, const fs::path& mtl, Te
     material.reflectivity = reflectivity_of(source, where);
     material.ior = clamped(source.ior, 1, 4, where, "Ni");
     material.glass = asks_for_refraction(source.illum) || (source.dissolve < 1 && material.ior > 1);
-    if (!source.diffuse_texname.empty())
-        material.texture = textures.load(mtl, source.diffuse_texname);
+    if (!source.diffuse_texname.empty()) material.texture = textures.load(mtl, source.diffuse_texname);
     return material;
 }
 

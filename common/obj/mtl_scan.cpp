@@ -36,8 +36,7 @@ struct Words {
     /// How many words there are after the first, up to a comment.
     std::size_t arguments() const {
         std::size_t count = 0;
-        while (count + 1 < words.size() && words[count + 1][0] != '#')
-            ++count;
+        while (count + 1 < words.size() && words[count + 1][0] != '#') ++count;
         return count;
     }
 };
@@ -66,8 +65,7 @@ std::string MtlScanner::run() {
     for (std::string text; std::getline(stream, text);) {
         ++line;
         const Words words(std::move(text));
-        if (!words.words.empty())
-            out += rewritten(words);
+        if (!words.words.empty()) out += rewritten(words);
     }
     return out;
 }
@@ -76,14 +74,10 @@ std::string MtlScanner::rewritten(const Words& words) {
     static const std::array<std::string_view, 3> colours{"Kd", "Ke", "Ks"};
     static const std::array<std::string_view, 5> scalars{"Ni", "d", "Tr", "Pm", "illum"};
     const std::string_view keyword = words.words[0];
-    if (keyword == "newmtl")
-        return new_material(words);
-    if (keyword == "map_Kd" || keyword == "map_kd")
-        return texture(words);
-    if (std::find(colours.begin(), colours.end(), keyword) != colours.end())
-        return colour(words);
-    if (std::find(scalars.begin(), scalars.end(), keyword) != scalars.end())
-        return scalar(words);
+    if (keyword == "newmtl") return new_material(words);
+    if (keyword == "map_Kd" || keyword == "map_kd") return texture(words);
+    if (std::find(colours.begin(), colours.end(), keyword) != colours.end()) return colour(words);
+    if (std::find(scalars.begin(), scalars.end(), keyword) != scalars.end()) return scalar(words);
     return "";
 }
 
@@ -96,25 +90,21 @@ std::string MtlScanner::number(std::string_view word) const {
 /// Three numbers, or one that stands for all.
 std::string MtlScanner::colour(const Words& words) const {
     const std::size_t count = words.arguments();
-    if (count != 1 && count < 3)
-        fail(std::string(words.words[0]) + " needs three numbers");
+    if (count != 1 && count < 3) fail(std::string(words.words[0]) + " needs three numbers");
     std::string out(words.words[0]);
-    for (std::size_t i = 1; i <= 3; ++i)
-        out += number(words.words[count == 1 ? 1 : i]);
+    for (std::size_t i = 1; i <= 3; ++i) out += number(words.words[count == 1 ? 1 : i]);
     return out + "\n";
 }
 
 std::string MtlScanner::scalar(const Words& words) const {
     const std::size_t at = words.words.size() > 1 && words.words[1] == "-halo" ? 2 : 1;
-    if (words.arguments() < at)
-        fail(std::string(words.words[0]) + " needs a number");
+    if (words.arguments() < at) fail(std::string(words.words[0]) + " needs a number");
     return std::string(words.words[0]) + number(words.words[at]) + "\n";
 }
 
 std::string MtlScanner::new_material(const Words& words) const {
     std::string name = words.from(1);
-    if (name.empty())
-        fail("newmtl names no material");
+    if (name.empty()) fail("newmtl names no material");
     std::replace_if(name.begin(), name.end(), is_blank, inner_space);
     const std::string value = " " + std::to_string(unstated);
     return "newmtl " + name + "\nKd" + value + value + value + "\n";
@@ -126,12 +116,9 @@ const std::set<std::string_view> transforms{"-o", "-s", "-t", "-mm"}; // up to t
 
 /// How many words the option of a texture at word `at` takes, 0 if none stands there.
 std::size_t option_length(const Words& words, std::size_t at) {
-    if (at >= words.words.size())
-        return 0;
-    if (settings.count(words.words[at]) > 0)
-        return 2;
-    if (transforms.count(words.words[at]) == 0)
-        return 0;
+    if (at >= words.words.size()) return 0;
+    if (settings.count(words.words[at]) > 0) return 2;
+    if (transforms.count(words.words[at]) == 0) return 0;
     std::size_t length = 1;
     while (length <= 3 && at + length < words.words.size() && number_fault(words.words[at + length]).empty())
         ++length;
@@ -148,8 +135,7 @@ std::string MtlScanner::texture(const Words& words) const {
         at += length;
     }
     std::string name = words.from(at);
-    if (name.empty())
-        fail("map_Kd names no file");
+    if (name.empty()) fail("map_Kd names no file");
     std::replace(name.begin(), name.end(), '\\', '/');
     return "map_Kd " + name + "\n";
 }

@@ -32,14 +32,12 @@ std::vector<dvec2> flattened(const std::vector<vec3>& corners) {
     const dvec3 normal = newell_normal(corners);
     int axis = 0;
     for (int i = 1; i < 3; ++i) {
-        if (std::abs(normal[i]) > std::abs(normal[axis]))
-            axis = i;
+        if (std::abs(normal[i]) > std::abs(normal[axis])) axis = i;
     }
     const int right = (axis + 1) % 3, up = (axis + 2) % 3;
     const double side = normal[axis] < 0 ? -1 : 1;
     std::vector<dvec2> flat;
-    for (const vec3& corner : corners)
-        flat.emplace_back(side * double(corner[right]), double(corner[up]));
+    for (const vec3& corner : corners) flat.emplace_back(side * double(corner[right]), double(corner[up]));
     return flat;
 }
 
@@ -56,14 +54,11 @@ struct Ring {
     /// corner that does not turn left can be the first to do so.
     bool is_ear(std::size_t i) const {
         const dvec2 a = point(i), b = point(i + 1), c = point(i + 2);
-        if (!(turn(a, b, c) > 0))
-            return false;
+        if (!(turn(a, b, c) > 0)) return false;
         for (std::size_t j = i + 3; j < i + rest.size(); ++j) {
             const dvec2 p = point(j);
-            if (p == a || p == b || p == c || turn(point(j - 1), p, point(j + 1)) > 0)
-                continue;
-            if (turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0)
-                return false;
+            if (p == a || p == b || p == c || turn(point(j - 1), p, point(j + 1)) > 0) continue;
+            if (turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0) return false;
         }
         return true;
     }
@@ -77,26 +72,22 @@ std::vector<std::array<int, 3>> cut_quad(const std::vector<vec3>& corners, const
     const bool inside_02 = half(0, 1, 2) > 0 && half(0, 2, 3) > 0;
     const bool inside_13 = half(0, 1, 3) > 0 && half(1, 2, 3) > 0;
     const bool shorter_13 = distance(corners[1], corners[3]) < distance(corners[0], corners[2]);
-    if (inside_13 && (!inside_02 || shorter_13))
-        return {{0, 1, 3}, {1, 2, 3}};
+    if (inside_13 && (!inside_02 || shorter_13)) return {{0, 1, 3}, {1, 2, 3}};
     return {{0, 1, 2}, {0, 2, 3}};
 }
 
 } // namespace
 
 std::vector<std::array<int, 3>> cut_polygon(const std::vector<vec3>& corners) {
-    if (corners.size() == 3)
-        return {{0, 1, 2}};
+    if (corners.size() == 3) return {{0, 1, 2}};
     const std::vector<dvec2> flat = flattened(corners);
-    if (corners.size() == 4)
-        return cut_quad(corners, flat);
+    if (corners.size() == 4) return cut_quad(corners, flat);
     std::vector<std::array<int, 3>> triangles;
     Ring ring{flat, std::vector<int>(corners.size())};
     std::iota(ring.rest.begin(), ring.rest.end(), 0);
     for (std::size_t start = 0; ring.rest.size() > 3;) {
         std::size_t ear = start; // going round, rather than back to the first, makes better triangles
-        while (ear < start + ring.rest.size() && !ring.is_ear(ear))
-            ++ear;
+        while (ear < start + ring.rest.size() && !ring.is_ear(ear)) ++ear;
         triangles.push_back(ring.triangle(ear));
         const std::size_t tip = (ear + 1) % ring.rest.size();
         ring.rest.erase(ring.rest.begin() + std::ptrdiff_t(tip));

@@ -20,14 +20,12 @@ constexpr bool is_digit(char c) {
 }
 
 void skip_sign(const char*& at, const char* end) {
-    if (at < end && (*at == '+' || *at == '-'))
-        ++at;
+    if (at < end && (*at == '+' || *at == '-')) ++at;
 }
 
 int skip_digits(const char*& at, const char* end) {
     const char* const begin = at;
-    while (at < end && is_digit(*at))
-        ++at;
+    while (at < end && is_digit(*at)) ++at;
     return int(at - begin);
 }
 
@@ -36,8 +34,7 @@ bool read_exponent(const char*& at, const char* end, int& exponent) {
     const bool negative = at < end && *at == '-';
     skip_sign(at, end);
     const char* const begin = at;
-    for (; at < end && is_digit(*at); ++at)
-        exponent = std::min(exponent * 10 + (*at - '0'), 100000);
+    for (; at < end && is_digit(*at); ++at) exponent = std::min(exponent * 10 + (*at - '0'), 100000);
     exponent = negative ? -exponent : exponent;
     return at > begin;
 }
@@ -77,14 +74,12 @@ class Scanner {
 };
 
 char* skip_blanks(char* at, const char* end) {
-    while (at < end && is_blank(*at))
-        ++at;
+    while (at < end && is_blank(*at)) ++at;
     return at;
 }
 
 char* word_end(char* at, const char* end) {
-    while (at < end && !is_blank(*at))
-        ++at;
+    while (at < end && !is_blank(*at)) ++at;
     return at;
 }
 
@@ -114,10 +109,8 @@ char* Scanner::join_continued(char* begin, char* end) {
     const char* const first = skip_blanks(begin, end);
     while (end < text_end && *first != '#') {
         char* last = end;
-        while (last > begin && is_blank(last[-1]))
-            --last;
-        if (last == begin || last[-1] != '\\')
-            break;
+        while (last > begin && is_blank(last[-1])) --last;
+        if (last == begin || last[-1] != '\\') break;
         std::fill(last - 1, end + 1, ' ');
         ++further_lines;
         end = std::find(end + 1, text_end, '\n');
@@ -127,8 +120,7 @@ char* Scanner::join_continued(char* begin, char* end) {
 
 void Scanner::check_line(char* begin, char* end) {
     char* const word = skip_blanks(begin, end);
-    if (word == end || *word == '#')
-        return;
+    if (word == end || *word == '#') return;
     char* const rest = word_end(word, end);
     const std::string_view keyword = view(word, rest);
     if (keyword == "v") {
@@ -154,8 +146,7 @@ void Scanner::check_numbers(char* at, char* end, int least, int most) {
     int count = 0;
     for (; count < most; ++count) {
         at = skip_blanks(at, end);
-        if (at == end || *at == '#')
-            break;
+        if (at == end || *at == '#') break;
         char* const stop = word_end(at, end);
         if (const std::string_view fault = number_fault(view(at, stop)); !fault.empty())
             fail(in_quotes(view(at, stop)) + " " + std::string(fault));
@@ -175,8 +166,7 @@ void Scanner::check_face(char* at, char* end) {
             fail("a face of more than " + std::to_string(most_corners) +
                  " corners; cut it into smaller ones");
     }
-    if (corners < 3)
-        fail("a face needs three corners or more and has " + std::to_string(corners));
+    if (corners < 3) fail("a face needs three corners or more and has " + std::to_string(corners));
     std::fill(at, end, ' ');
     scan.face_sizes.push_back(std::uint16_t(corners));
 }
@@ -185,16 +175,14 @@ void Scanner::check_face(char* at, char* end) {
 char* Scanner::check_corner(char* at, char* end) {
     char* const stop = word_end(at, end);
     char* last = stop;
-    while (last > at && last[-1] == '/')
-        *--last = ' ';
+    while (last > at && last[-1] == '/') *--last = ' ';
     char* const begin = at;
     at = check_index(positions, at, last);
     if (at < last && *at == '/' && at[1] != '/')
         at = check_index(uvs, at + 1, last);
     else if (at < last && *at == '/')
         ++at;
-    if (at < last && *at == '/')
-        at = check_index(normals, at + 1, last);
+    if (at < last && *at == '/') at = check_index(normals, at + 1, last);
     if (at != last)
         fail(in_quotes(view(begin, last)) + " is not a corner of the form v, v/vt, v//vn or v/vt/vn");
     return stop;
@@ -203,16 +191,13 @@ char* Scanner::check_corner(char* at, char* end) {
 char* Scanner::check_index(Numbered& numbered, char* at, char* end) {
     char* const begin = at;
     const bool negative = at < end && *at == '-';
-    if (negative || (at < end && *at == '+'))
-        ++at;
+    if (negative || (at < end && *at == '+')) ++at;
     long long value = 0;
     char* const digits = at;
-    for (; at < end && is_digit(*at); ++at)
-        value = std::min<long long>(value * 10 + (*at - '0'), INT_MAX);
+    for (; at < end && is_digit(*at); ++at) value = std::min<long long>(value * 10 + (*at - '0'), INT_MAX);
     if (at == digits)
         fail(in_quotes(view(begin, end)) + " is not a whole number where a face names a " + numbered.what);
-    if (value == 0)
-        fail("a face names " + std::string(numbered.what) + " 0, but counting starts at 1");
+    if (value == 0) fail("a face names " + std::string(numbered.what) + " 0, but counting starts at 1");
     if (negative && value > numbered.count)
         fail("a face names " + std::string(numbered.what) + " " + std::string(view(begin, at)) +
              ", but only " + std::to_string(numbered.count) + " stand before it");
@@ -226,12 +211,9 @@ char* Scanner::check_index(Numbered& numbered, char* at, char* end) {
 /// Names may hold spaces; tinyobjloader takes '\' in a library's name for an escape.
 void Scanner::check_name(char* at, char* end, bool library) {
     at = skip_blanks(at, end);
-    while (end > at && is_blank(end[-1]))
-        --end;
-    if (at == end)
-        fail(library ? "mtllib names no file" : "usemtl names no material");
-    if (library)
-        std::replace(at, end, '\\', '/');
+    while (end > at && is_blank(end[-1])) --end;
+    if (at == end) fail(library ? "mtllib names no file" : "usemtl names no material");
+    if (library) std::replace(at, end, '\\', '/');
     std::replace_if(at, end, is_blank, inner_space);
     if (library)
         scan.names_library = true;
@@ -252,8 +234,7 @@ void Scanner::check_ignored(char* begin, const char* keyword_end) {
 /// A face may come before its vertices, so the largest number of each kind is looked at last.
 void Scanner::check_forward_references() {
     for (const Numbered& numbered : {positions, uvs, normals}) {
-        if (numbered.largest <= numbered.count)
-            continue;
+        if (numbered.largest <= numbered.count) continue;
         line = numbered.largest_line;
         fail("a face names " + std::string(numbered.what) + " " + std::to_string(numbered.largest) +
              ", but the file has " + std::to_string(numbered.count) + " (lines that begin with " +
@@ -268,8 +249,7 @@ std::string at_line(const std::string& path, int line, const std::string& messag
 }
 
 void unify_text(std::string& text) {
-    if (text.compare(0, 3, "\xef\xbb\xbf") == 0)
-        text.replace(0, 3, "   ");
+    if (text.compare(0, 3, "\xef\xbb\xbf") == 0) text.replace(0, 3, "   ");
     for (std::size_t i = text.find('\r'); i != std::string::npos; i = text.find('\r', i + 1))
         text[i] = i + 1 < text.size() && text[i + 1] == '\n' ? ' ' : '\n';
 }
@@ -282,15 +262,12 @@ std::string_view number_fault(std::string_view word) {
         ++at;
     const int whole_digits = skip_digits(at, end);
     int fraction_digits = 0;
-    if (at < end && *at == '.')
-        fraction_digits = skip_digits(++at, end);
-    if (whole_digits + fraction_digits == 0)
-        return "is not a number";
+    if (at < end && *at == '.') fraction_digits = skip_digits(++at, end);
+    if (whole_digits + fraction_digits == 0) return "is not a number";
     int exponent = 0;
     if (at < end && (*at == 'e' || *at == 'E') && !read_exponent(++at, end, exponent))
         return "is not a number";
-    if (at != end)
-        return "is not a number";
+    if (at != end) return "is not a number";
     return whole_digits + exponent > largest_decimal_exponent ? "is too large a number" : "";
 }
 

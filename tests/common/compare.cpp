@@ -20,8 +20,7 @@ constexpr int width = 160, height = 100; // 20 x 13 tiles, the last row of them 
 Image scene() {
     Image image(width, height);
     for (int y = 0; y < height; ++y) {
-        for (int x = 0; x < width; ++x)
-            image(x, y) = vec3(0.2f + float(x) * 0.002f, 0.5f, float(y) * 0.004f);
+        for (int x = 0; x < width; ++x) image(x, y) = vec3(0.2f + float(x) * 0.002f, 0.5f, float(y) * 0.004f);
     }
     return image;
 }
@@ -74,8 +73,7 @@ TEST_CASE("the largest difference is found where it is, with its size and sign")
     CHECK(std::abs(d.largest - 0.06f) < 1e-5f); // of .5
     CHECK(std::abs(d.mean - (0.12 * (0.44 + 0.5 + 0.32) / 3) / (width * height)) < 1e-9);
     CHECK(verdict(d).same); // one pixel of 16,000 is within the limits
-    for (int x = 0; x < 17; ++x)
-        test(x, 80) *= 1.1f;
+    for (int x = 0; x < 17; ++x) test(x, 80) *= 1.1f;
     const Verdict brighter = verdict(difference(test, scene()));
     CHECK_FALSE(brighter.same);
     CHECK_ERROR(brighter.words, "different: 18 of 16000 pixels", "largest 0.06 at 120,80",
@@ -99,8 +97,7 @@ TEST_CASE("the tolerance is absolute for dark pixels and relative for bright one
 TEST_CASE(
     "a small change of the whole picture fails by its mean, though each pixel is within the tolerance") {
     Image test = scene();
-    for (vec3& pixel : test.pixels)
-        pixel += vec3(0.0005f);
+    for (vec3& pixel : test.pixels) pixel += vec3(0.0005f);
     const Difference d = difference(test, scene());
     CHECK(d.differing == 0);
     CHECK_FALSE(verdict(d).same);
@@ -109,8 +106,7 @@ TEST_CASE(
 
 TEST_CASE("one pixel in a thousand may differ, two may not") {
     Image test = scene();
-    for (int i = 0; i < 16; ++i)
-        test.pixels[std::size_t(i) * 1000] += vec3(0.01f);
+    for (int i = 0; i < 16; ++i) test.pixels[std::size_t(i) * 1000] += vec3(0.01f);
     CHECK(verdict(difference(test, scene())).same);
     test.pixels[77] += vec3(0.01f);
     CHECK_FALSE(verdict(difference(test, scene())).same);
@@ -158,8 +154,7 @@ TEST_CASE("z is a standard normal number when nothing but noise differs") {
     int count = 0;
     for (std::uint64_t seed = 1; seed <= 200; ++seed) { // one tile at a time
         Image tile(8, 8);
-        for (vec3& pixel : tile.pixels)
-            pixel = truth(70, 70);
+        for (vec3& pixel : tile.pixels) pixel = truth(70, 70);
         const double z = compared(Noisy(tile, 2 * seed), Noisy(tile, 2 * seed + 1)).largest_z;
         squares += z * z;
         ++count;
@@ -171,8 +166,7 @@ TEST_CASE("z is a standard normal number when nothing but noise differs") {
 TEST_CASE("a bias is found in its tile, with its sign and size") {
     Image changed = scene();
     for (int y = 48; y < 56; ++y) {
-        for (int x = 104; x < 112; ++x)
-            changed(x, y) *= 1.2f;
+        for (int x = 104; x < 112; ++x) changed(x, y) *= 1.2f;
     }
     const Noisy right(scene(), 5), wrong(changed, 6);
     const TileDifference d = compared(wrong, right);
@@ -190,8 +184,7 @@ TEST_CASE("a bias is found in its tile, with its sign and size") {
 
 TEST_CASE("a change of the whole picture by a tenth lights many tiles") {
     Image changed = scene();
-    for (vec3& pixel : changed.pixels)
-        pixel *= 0.9f;
+    for (vec3& pixel : changed.pixels) pixel *= 0.9f;
     const TileDifference d = compared(Noisy(changed, 7), Noisy(scene(), 8));
     CHECK(d.alarms > 100);
     CHECK(d.largest_z < -4);

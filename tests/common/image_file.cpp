@@ -27,8 +27,7 @@ namespace {
 
 Image uniform(int width, int height, vec3 colour) {
     Image image(width, height);
-    for (vec3& pixel : image.pixels)
-        pixel = colour;
+    for (vec3& pixel : image.pixels) pixel = colour;
     return image;
 }
 
@@ -75,14 +74,12 @@ TEST_CASE("a 16-bit PNG is decoded with all its bits") {
 TEST_CASE("every 8-bit value survives decoding, encoding, writing and reading") {
     const Folder folder;
     std::string row(1, '\0');
-    for (int code = 0; code < 256; ++code)
-        row += std::string(3, char(code));
+    for (int code = 0; code < 256; ++code) row += std::string(3, char(code));
     const std::string first = folder.write("first.png", png(256, 1, 8, 2, row));
     write_image(folder / "second.png", read_image(first));
     const Bitmap bitmap = read_bitmap(folder / "second.png");
     REQUIRE(bitmap.values.size() == 768);
-    for (std::size_t code = 0; code < 256; ++code)
-        CHECK(bitmap.values[3 * code + 1] == code * 257);
+    for (std::size_t code = 0; code < 256; ++code) CHECK(bitmap.values[3 * code + 1] == code * 257);
 }
 
 TEST_CASE("light is rounded to the nearest 8-bit value, and clamped") {
@@ -98,8 +95,7 @@ TEST_CASE("light is rounded to the nearest 8-bit value, and clamped") {
     const std::vector<std::uint16_t> values = read_bitmap(folder / "a.png").values;
     const int codes[] = {100, 101, 255, 0, 0, 255, 7, 0, 10, 188, 188, 188, 255, 255, 255};
     REQUIRE(values.size() == 15);
-    for (std::size_t i = 0; i < 15; ++i)
-        CHECK(values[i] == codes[i] * 257);
+    for (std::size_t i = 0; i < 15; ++i) CHECK(values[i] == codes[i] * 257);
 }
 
 TEST_CASE("grey stands in all channels, alpha is dropped, and rows run from the top") {

@@ -55,15 +55,13 @@ vec3 area_vector(const std::vector<vec3>& positions, const std::array<ObjCorner,
 /// The sum of the triangles' areas, negative for those that are turned the wrong way round as seen along `axis`.
 float area(const ObjFile& file, vec3 axis) {
     float sum = 0;
-    for (const auto& triangle : file.triangles)
-        sum += dot(area_vector(file.positions, triangle), axis);
+    for (const auto& triangle : file.triangles) sum += dot(area_vector(file.positions, triangle), axis);
     return sum;
 }
 
 float area(const ObjFile& file) {
     float sum = 0;
-    for (const auto& triangle : file.triangles)
-        sum += length(area_vector(file.positions, triangle));
+    for (const auto& triangle : file.triangles) sum += length(area_vector(file.positions, triangle));
     return sum;
 }
 
@@ -246,8 +244,7 @@ TEST_CASE("texture coordinates and materials follow a polygon's corners into its
                                           "usemtl red\nf 1/1 2/2 3/3\nusemtl green\nf 1/1 2/2 3/3\n");
     CHECK(file.materials == std::vector<int>{1, 1, 0, 1});
     for (std::size_t i = 0; i < 2; ++i) {
-        for (const ObjCorner& corner : file.triangles[i])
-            CHECK(corner.uv == corner.position);
+        for (const ObjCorner& corner : file.triangles[i]) CHECK(corner.uv == corner.position);
     }
 }
 
@@ -264,8 +261,7 @@ TEST_CASE("a normal without direction counts as missing") {
     CHECK(file.triangles[0][0].normal == -1);
     CHECK(file.triangles[0][1].normal == 1);
     CHECK(file.triangles[0][2].normal == -1);
-    for (const vec3& normal : file.normals)
-        CHECK(length(normal) > 0.5f);
+    for (const vec3& normal : file.normals) CHECK(length(normal) > 0.5f);
 }
 
 // ---- what is wrong
@@ -496,8 +492,7 @@ TEST_CASE("a texture is found beside the .mtl, beside the .obj, and by its bare 
                  "newmtl c\nmap_Kd -o 1 -bm 2 -clamp on C:\\somebody\\else\\near mtl.png  \n"
                  "newmtl d\nmap_kd ../lib/./near mtl.png\n");
     std::string text = "mtllib lib/m.mtl\n" + four;
-    for (const char* name : {"a", "b", "c", "d"})
-        text += std::string("usemtl ") + name + "\nf 1 2 3\n";
+    for (const char* name : {"a", "b", "c", "d"}) text += std::string("usemtl ") + name + "\nf 1 2 3\n";
     const Stderr said;
     const ObjFile file = read(folder, text);
     REQUIRE(file.textures.size() == 2);
@@ -521,8 +516,7 @@ TEST_CASE("a missing or undecodable texture: a magenta checker, and a warning wi
                  "newmtl d\nmap_Kd .\n");
     folder.write("bad.png", "not a picture");
     std::string text = "mtllib lib/m.mtl\n" + four;
-    for (const char* name : {"a", "b", "c", "d"})
-        text += std::string("usemtl ") + name + "\nf 1 2 3\n";
+    for (const char* name : {"a", "b", "c", "d"}) text += std::string("usemtl ") + name + "\nf 1 2 3\n";
     const Stderr said;
     const ObjFile file = read(folder, text);
     REQUIRE(file.textures.size() == 3);

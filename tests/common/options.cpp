@@ -36,8 +36,7 @@ struct Program {
 
     bool parse(const std::vector<std::string>& words) {
         std::vector<const char*> argv{"03_test"};
-        for (const std::string& word : words)
-            argv.push_back(word.c_str());
+        for (const std::string& word : words) argv.push_back(word.c_str());
         return options.parse(int(argv.size()), argv.data());
     }
 };
@@ -65,8 +64,7 @@ struct Wrong {
 void check_refused(const std::vector<Wrong>& all) {
     for (const Wrong& wrong : all) {
         std::string line;
-        for (const std::string& word : wrong.words)
-            line += word + " ";
+        for (const std::string& word : wrong.words) line += word + " ";
         CAPTURE(line);
         const std::string message = refusal(wrong.words);
         CAPTURE(message);
@@ -357,8 +355,7 @@ TEST_CASE("help opens with name and question, and explains every knob with range
     CHECK(help.rfind("03_test: What is asked here?\n", 0) == 0);
     std::string flat; // lines are wrapped: what is looked for may run over an end
     for (const char c : help)
-        if (c != ' ' && c != '\n')
-            flat += c;
+        if (c != ' ' && c != '\n') flat += c;
     for (const char* const expected :
          {"--iorXindexofrefraction[1to2.5;default1.5]", "--depthNmostbouncesofapath[1to20;default5]",
           "--fromX,Y,Zwherethecamerastands,metres[threenumbers;default0,1.25,-4]", "--barethemodelalone",
@@ -376,8 +373,7 @@ TEST_CASE("help keeps within 80 columns, and asks for nothing else to be right")
     std::istringstream lines(help_text({"--help", "--ior", "99", "--nonsense"}));
     std::string line;
     std::size_t longest = 0;
-    while (std::getline(lines, line))
-        longest = std::max(longest, line.size());
+    while (std::getline(lines, line)) longest = std::max(longest, line.size());
     CHECK(longest <= 80);
     CHECK(longest > 60);
     CHECK(help_text({"-h"}).size() > 500);

@@ -24,8 +24,7 @@ class ChosenFolder {
         : path(fs::temp_directory_path() / ("raysteps_assets_" + std::to_string(std::random_device{}()))) {
         fs::create_directories(path / "a_folder.obj");
         std::ofstream(path / "mine.obj") << "v 0 0 0\n";
-        if (const char* const before = std::getenv("RAYSTEPS_ASSETS"))
-            old = before;
+        if (const char* const before = std::getenv("RAYSTEPS_ASSETS")) old = before;
         setenv("RAYSTEPS_ASSETS", path.c_str(), 1);
     }
     ~ChosenFolder() {

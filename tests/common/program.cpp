@@ -85,8 +85,7 @@ Run run(const std::vector<std::string>& words, const std::function<void(const rt
     small.threads = 1;
     rt::Options options("00_test", "Does it run?", small);
     std::vector<const char*> argv{"00_test"};
-    for (const std::string& word : words)
-        argv.push_back(word.c_str());
+    for (const std::string& word : words) argv.push_back(word.c_str());
     Run result;
     const Captured out(std::cout), err(std::cerr);
     result.code = rt::run_program(options, int(argv.size()), argv.data(), [&](const rt::RenderCall& render) {

@@ -40,12 +40,10 @@ double correlation_limit(std::size_t count) {
 /// Pearson's chi-square of 256 equal bins: 255 degrees of freedom.
 double chi_square(const std::vector<float>& numbers) {
     std::array<double, 256> bins{};
-    for (const float u : numbers)
-        bins[std::size_t(u * 256)] += 1;
+    for (const float u : numbers) bins[std::size_t(u * 256)] += 1;
     const double expected = double(numbers.size()) / 256;
     double sum = 0;
-    for (const double found : bins)
-        sum += (found - expected) * (found - expected) / expected;
+    for (const double found : bins) sum += (found - expected) * (found - expected) / expected;
     return sum;
 }
 
@@ -59,8 +57,7 @@ void check_uniform(const std::vector<float>& numbers) {
 std::vector<float> one_stream() {
     rt::Random random(20, 30, 4, 1);
     std::vector<float> numbers(size);
-    for (float& u : numbers)
-        u = random.uniform();
+    for (float& u : numbers) u = random.uniform();
     return numbers;
 }
 
@@ -108,8 +105,7 @@ TEST_CASE("the first random numbers are these, on every machine, for ever") {
         CAPTURE(pin.y);
         CAPTURE(pin.sample);
         rt::Random random(pin.x, pin.y, pin.sample, pin.seed);
-        for (const std::uint64_t expected : pin.bits)
-            CHECK(random.bits() == expected);
+        for (const std::uint64_t expected : pin.bits) CHECK(random.bits() == expected);
     }
     rt::Random keyed(42);
     CHECK(keyed.bits() == 0x989b3f130a063869);
@@ -136,10 +132,8 @@ TEST_CASE("no two of pixel, sample and seed share a stream") {
         add(1 << bit, 0, 0, 7);
         add(0, 1 << bit, 0, 7);
     }
-    for (int bit = 0; bit < 24; ++bit)
-        add(0, 0, 1 << bit, 7);
-    for (int bit = 0; bit < 64; ++bit)
-        add(0, 0, 0, 7 ^ std::uint64_t(1) << bit);
+    for (int bit = 0; bit < 24; ++bit) add(0, 0, 1 << bit, 7);
+    for (int bit = 0; bit < 64; ++bit) add(0, 0, 0, 7 ^ std::uint64_t(1) << bit);
     for (int y = 1; y < 20; ++y)
         for (int x = 1; x < 20; ++x)
             for (int sample = 1; sample < 20; ++sample)

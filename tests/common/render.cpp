@@ -43,8 +43,7 @@ bool same_bits(const rt::Image& a, const rt::Image& b) {
 rt::Image part(const rt::Image& whole, rt::Crop crop) {
     rt::Image piece(crop.x1 - crop.x0, crop.y1 - crop.y0);
     for (int y = crop.y0; y < crop.y1; ++y)
-        for (int x = crop.x0; x < crop.x1; ++x)
-            piece(x - crop.x0, y - crop.y0) = whole(x, y);
+        for (int x = crop.x0; x < crop.x1; ++x) piece(x - crop.x0, y - crop.y0) = whole(x, y);
     return piece;
 }
 
@@ -162,12 +161,9 @@ TEST_CASE("the variance foretells how the mean of another seed differs") {
 
 TEST_CASE("samples that are not finite are counted, and the first is the same for all threads") {
     const auto sick = [](rt::Sample& sample) {
-        if (sample.x == 70 && sample.y == 5 && sample.index >= 2)
-            return rt::vec3(0, not_a_number, 0);
-        if (sample.x == 3 && sample.y == 30)
-            return rt::vec3(rt::infinity, 0, 0);
-        if (sample.x == 4 && sample.y == 5 && sample.index == 3)
-            return rt::vec3(0, 0, -rt::infinity);
+        if (sample.x == 70 && sample.y == 5 && sample.index >= 2) return rt::vec3(0, not_a_number, 0);
+        if (sample.x == 3 && sample.y == 30) return rt::vec3(rt::infinity, 0, 0);
+        if (sample.x == 4 && sample.y == 5 && sample.index == 3) return rt::vec3(0, 0, -rt::infinity);
         return noise(sample);
     };
     const rt::Film healthy = rt::render(picture(83, 49, 4, 1), noise);
@@ -202,8 +198,7 @@ TEST_CASE("an exception in one of the threads reaches the caller") {
     for (const int threads : {1, 3}) {
         CAPTURE(threads);
         const auto failing = [](rt::Sample& sample) -> rt::vec3 {
-            if (sample.x == 60 && sample.y == 33)
-                throw std::runtime_error("pixel 60,33");
+            if (sample.x == 60 && sample.y == 33) throw std::runtime_error("pixel 60,33");
             return rt::vec3(0);
         };
         CHECK_THROWS_WITH_AS(rt::render(picture(83, 49, 1, threads), failing), "pixel 60,33",
@@ -215,8 +210,7 @@ TEST_CASE("an exception soon ends the work of the other threads") {
     std::atomic<int> asked = 0;
     const auto failing = [&asked](rt::Sample& sample) -> rt::vec3 {
         ++asked;
-        if (sample.x == 0 && sample.y == 0)
-            throw std::runtime_error("at once");
+        if (sample.x == 0 && sample.y == 0) throw std::runtime_error("at once");
         std::this_thread::sleep_for(std::chrono::microseconds(100));
         return rt::vec3(0);
     };
@@ -268,8 +262,7 @@ TEST_CASE("progress never goes back and ends at 1, told by one of the threads at
     std::vector<float> shares;
     rt::render(picture(83, 49, 1, 3), noise, [&shares](float share) { shares.push_back(share); });
     REQUIRE(shares.size() > 4);
-    for (std::size_t i = 1; i < shares.size(); ++i)
-        CHECK(shares[i] > shares[i - 1]);
+    for (std::size_t i = 1; i < shares.size(); ++i) CHECK(shares[i] > shares[i - 1]);
     CHECK(shares.front() > 0);
     CHECK(shares.back() == 1);
 }

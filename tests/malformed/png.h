@@ -14,8 +14,7 @@ inline std::uint32_t crc(const std::string& bytes) {
     std::uint32_t sum = 0xffffffffu;
     for (const char byte : bytes) {
         sum ^= std::uint8_t(byte);
-        for (int i = 0; i < 8; ++i)
-            sum = sum >> 1 ^ (sum & 1 ? 0xedb88320u : 0);
+        for (int i = 0; i < 8; ++i) sum = sum >> 1 ^ (sum & 1 ? 0xedb88320u : 0);
     }
     return ~sum;
 }
