@@ -37,7 +37,8 @@ inline Stage stage_for(const Box& box, float aspect) {
 struct ModelKnobs {
     explicit ModelKnobs(Options& options)
         : mesh(options.file("mesh", "an OBJ file to show in place of this step's scene")),
-          bare(options.flag("bare", "with --mesh: the model alone, without floor, lamp and sky")),
+          bare(options.flag("bare",
+                            "with --mesh: the model alone, without floor and lamp, nor sky if it glows")),
           crease(
               options.knob("crease", 40.0f, 0.0f, 180.0f,
                            "edges sharper than this stay sharp where the file gives no normals, degrees")) {}
@@ -47,17 +48,20 @@ struct ModelKnobs {
     const float& crease;
 };
 
-/// Puts the model into an empty scene, on a floor under a lamp and a cloudy sky unless it is to be bare, and
-/// answers the camera that shows it.
+/// Puts the model into an empty scene, on a floor under a lamp and a cloudy sky, and answers the camera that
+/// shows it. A bare model gets no floor and no lamp, and no sky either if it brings light of its own.
 template <typename Scene>
 Pose stage_model(Scene& scene, const ModelKnobs& knobs, float aspect) {
-    add(scene, read_obj(knobs.mesh), knobs.crease);
+    const ObjFile file = read_obj(knobs.mesh);
+    add(scene, file, knobs.crease);
     const Stage stage = stage_for(bounds(scene.mesh), aspect);
+    const auto glows = [](const ObjMaterial& material) { return material.emission != vec3(0); };
+    if (!knobs.bare || std::ranges::none_of(file.material_list, glows))
+        scene.sky = {.nadir = {0.22f, 0.21f, 0.2f}, .zenith = {0.4f, 0.46f, 0.56f}};
     if (knobs.bare) return stage.pose;
     const int floor = add(scene, Diffuse{vec3(0.55f, 0.53f, 0.5f)});
     scene.planes = {{stage.floor, {0, 1, 0}, floor}};
     scene.lights = {{stage.lamp, stage.lamp_scale * vec3(2.3f, 2.15f, 1.9f)}};
-    scene.sky = {.nadir = {0.22f, 0.21f, 0.2f}, .zenith = {0.4f, 0.46f, 0.56f}};
     return stage.pose;
 }
 
