@@ -15,7 +15,7 @@ struct TriangleHit {
 
 /// How far, in barycentric weight, a triangle reaches over its edge: some roundings of a double. Without it,
 /// and in float, one ray in a dozen that aims at a shared edge slips through between the neighbours.
-inline constexpr double rim = 0x1p-40;
+inline constexpr double overlap = 0x1p-40;
 
 /// Moller and Trumbore 1997: Cramer's rule on  t (-D) + u (B - A) + v (C - A) = O - A.  The determinant is
 /// proportional to the area, so it is never compared with an absolute epsilon: that would lose small
@@ -31,10 +31,10 @@ inline std::optional<TriangleHit> intersect(vec3 a, vec3 b, vec3 c, const Ray& r
     const double inverse = 1 / dot(edge_b, p);
     const glm::dvec3 from_a = glm::dvec3(ray.origin) - first;
     const double u = dot(from_a, p) * inverse;
-    if (!(u >= -rim && u <= 1 + rim)) return std::nullopt;
+    if (!(u >= -overlap && u <= 1 + overlap)) return std::nullopt;
     const glm::dvec3 q = cross(from_a, edge_b);
     const double v = dot(direction, q) * inverse;
-    if (!(v >= -rim && u + v <= 1 + rim)) return std::nullopt;
+    if (!(v >= -overlap && u + v <= 1 + overlap)) return std::nullopt;
     const float t = float(dot(edge_c, q) * inverse);
     if (!contains(ray, t)) return std::nullopt;
     return TriangleHit{t, float(u), float(v)};
