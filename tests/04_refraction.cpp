@@ -165,6 +165,17 @@ TEST_CASE("between two equal media light goes straight on and nothing is reflect
     }
 }
 
+TEST_CASE("between two equal media even grazing light goes through") {
+    for (const float cos_i : {1e-2f, 1e-4f, 1e-6f}) {
+        INFO("cosine of incidence ", cos_i,
+             ": 1 - cos^2 rounds to 1, so solve for cos^2 of the refracted ray");
+        const auto cos_t = refracted_cosine(cos_i, 1);
+        REQUIRE(cos_t);
+        CHECK(*cos_t / cos_i == approx(1));
+        CHECK(fresnel(cos_i, 1) == approx(0));
+    }
+}
+
 // --------------------------------------------------------------------------- total internal reflection
 
 TEST_CASE("total reflection begins at 41.8103 degrees in glass, 48.6066 in water, 24.4397 in diamond") {

@@ -31,10 +31,10 @@ inline vec3 transmittance(vec3 absorption, float distance) {
 /// Snell: sin_t = eta sin_i with eta = n_i / n_t, as the cosine cos_t >= 0. Nothing if the light cannot
 /// leave: total internal reflection. cos_i in [0, 1].
 inline std::optional<float> refracted_cosine(float cos_i, float eta) {
-    //> from sin_t^2 = eta^2 (1 - cos_i^2)
-    const float sin2_t = eta * eta * (1 - cos_i * cos_i);
-    if (sin2_t >= 1) return std::nullopt;
-    return std::sqrt(1 - sin2_t);
+    //> from 1 - cos_t^2 = eta^2 (1 - cos_i^2), in an order that gives cos_t = cos_i where eta is 1
+    const float squared = (1 - eta * eta) + eta * eta * cos_i * cos_i;
+    if (squared <= 0) return std::nullopt;
+    return std::sqrt(squared);
     //< return cos_i;
 }
 
