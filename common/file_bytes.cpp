@@ -1,4 +1,5 @@
-// Whole files as bytes: the file system's many ways to say no, each turned into one line that says what to do.
+// Whole files as bytes: the file system's many ways to say no, each turned into one line that says what to
+// do.
 #include "common/file_bytes.h"
 
 #include "common/error.h"

@@ -1,5 +1,6 @@
-// Radiance's .hdr format in memory. Our own, because stb_image 2.27 never returns from a file that was cut short,
-// and because stb_image_write cuts mantissas off where it should round, which makes every picture darker.
+// Radiance's .hdr format in memory. Our own, because stb_image 2.27 never returns from a file that was cut
+// short, and because stb_image_write cuts mantissas off where it should round, which makes every picture
+// darker.
 #include "common/hdr_format.h"
 
 #include "common/error.h"

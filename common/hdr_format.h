@@ -1,4 +1,5 @@
-// Radiance's .hdr format in memory: 8 bits a channel and one exponent for the three (Ward, Graphics Gems II, 1991).
+// Radiance's .hdr format in memory: 8 bits a channel and one exponent for the three (Ward, Graphics Gems II,
+// 1991).
 #pragma once
 
 #include "common/image.h"
@@ -12,7 +13,8 @@ namespace rt {
 
 using Rgbe = std::array<std::uint8_t, 4>;
 
-/// The nearest RGBE to a colour: value = mantissa * 2^(exponent - 136). Negative becomes 0, too large the largest.
+/// The nearest RGBE to a colour: value = mantissa * 2^(exponent - 136). Negative becomes 0, too large the
+/// largest.
 Rgbe rgbe_from_linear(vec3 colour);
 vec3 linear_from_rgbe(Rgbe rgbe);
 

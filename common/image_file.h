@@ -1,4 +1,5 @@
-// Pictures on disk: PNG (8-bit sRGB) and Radiance .hdr (linear, shared exponent), written whole or not at all.
+// Pictures on disk: PNG (8-bit sRGB) and Radiance .hdr (linear, shared exponent), written whole or not at
+// all.
 #pragma once
 
 #include "common/image.h"
@@ -25,13 +26,14 @@ struct Bitmap {
         values; ///< 3 * width * height, 0 to 65535 (an 8-bit value v stands as v * 257)
 };
 
-/// Throws Error, before anything is rendered, when `path` could not be written: an unknown ending, a folder that
-/// does not exist, a folder in the file's place, no permission. Leaves no trace on the disk.
+/// Throws Error, before anything is rendered, when `path` could not be written: an unknown ending, a folder
+/// that does not exist, a folder in the file's place, no permission. Leaves no trace on the disk.
 void check_writable(const std::string& path);
 
-/// Writes by the ending: .png clamps to [0, 1] and applies the exact sRGB curve, .hdr keeps linear light (negative
-/// becomes 0, what is too large for the format its largest value). Writes a temporary file beside it and renames,
-/// so that the old file stays until the new one is complete. A pixel that is not finite is written as magenta.
+/// Writes by the ending: .png clamps to [0, 1] and applies the exact sRGB curve, .hdr keeps linear light
+/// (negative becomes 0, what is too large for the format its largest value). Writes a temporary file beside
+/// it and renames, so that the old file stays until the new one is complete. A pixel that is not finite is
+/// written as magenta.
 void write_image(const std::string& path, const Image& image);
 
 /// A PNG or .hdr as linear RGB (PNG: the exact sRGB curve undone). Throws Error with the path and the reason.

@@ -39,10 +39,10 @@ struct ObjFile {
     std::vector<Bitmap> textures;                    ///< a missing one is a magenta checker
 };
 
-/// Reads an OBJ file, its .mtl and its textures. Warnings (missing .mtl or texture, with the paths tried) go to
-/// stderr, one line each. Throws Error, with file and line where it can be known, for a file that is missing, a
-/// folder, empty of faces or not OBJ at all, an index out of range, a number that is not finite, a face of fewer
-/// than three corners.
+/// Reads an OBJ file, its .mtl and its textures. Warnings (missing .mtl or texture, with the paths tried) go
+/// to stderr, one line each. Throws Error, with file and line where it can be known, for a file that is
+/// missing, a folder, empty of faces or not OBJ at all, an index out of range, a number that is not finite, a
+/// face of fewer than three corners.
 ObjFile read_obj(const std::string& path);
 
 } // namespace rt

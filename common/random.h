@@ -1,4 +1,5 @@
-// Random numbers that belong to one sample of one pixel: the same on every machine, in every order, on any thread.
+// Random numbers that belong to one sample of one pixel: the same on every machine, in every order, on any
+// thread.
 #pragma once
 
 #include "common/vec.h"

@@ -1,4 +1,5 @@
-// What the checks share: comparisons that say what was expected and what came, and statistics that say how sure.
+// What the checks share: comparisons that say what was expected and what came, and statistics that say how
+// sure.
 #pragma once
 
 #include "common/vec.h"
@@ -29,8 +30,8 @@ inline std::string to_text(vec3 v) {
     return "(" + to_text(v.x) + ", " + to_text(v.y) + ", " + to_text(v.z) + ")";
 }
 
-/// CHECK(got == approx(want)): each component differs by at most `tolerance` * max(1, |want|). A NaN equals nothing,
-/// an infinity only itself.
+/// CHECK(got == approx(want)): each component differs by at most `tolerance` * max(1, |want|). A NaN equals
+/// nothing, an infinity only itself.
 template <typename Value>
 struct Approx {
     Value want;
@@ -78,9 +79,9 @@ class Mean {
     /// Of the mean: sqrt(variance / n).
     double standard_error() const { return n < 2 ? 0 : std::sqrt(variance() / double(n)); }
 
-    /// How many standard errors the mean lies above `expected`. A right renderer is beyond 4 in one run of 16,000,
-    /// so CHECK(std::abs(m.z(expected)) < 4). With no spread at all: 0 if the mean is right up to rounding, else
-    /// infinity.
+    /// How many standard errors the mean lies above `expected`. A right renderer is beyond 4 in one run of
+    /// 16,000, so CHECK(std::abs(m.z(expected)) < 4). With no spread at all: 0 if the mean is right up to
+    /// rounding, else infinity.
     double z(double expected) const {
         const double error = average - expected;
         if (standard_error() > 0) return error / standard_error();

@@ -68,7 +68,8 @@ void write_text(Image& sheet, int left, int top, std::string_view text, vec3 col
                 if (has_ink(text[i], x / dot, y / dot)) sheet(left + int(i) * 6 * dot + x, top + y) = colour;
 }
 
-/// The mean of the picture over the box [x0, x1) x [y0, y1), pixels at the border counting by the part inside.
+/// The mean of the picture over the box [x0, x1) x [y0, y1), pixels at the border counting by the part
+/// inside.
 vec3 box_mean(const Image& image, double x0, double y0, double x1, double y1) {
     vec3 sum(0.0f);
     double area = 0;

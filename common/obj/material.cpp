@@ -1,5 +1,5 @@
-// The materials of an OBJ file, as people really write them: names with spaces, backslashes, paths of somebody
-// else's disk, files that were never copied along.
+// The materials of an OBJ file, as people really write them: names with spaces, backslashes, paths of
+// somebody else's disk, files that were never copied along.
 #include "common/obj/material.h"
 
 #include "common/error.h"
@@ -20,7 +20,8 @@ std::string with_spaces(std::string name) {
     return name;
 }
 
-/// Where a file that is called `name` may stand: as stated, seen from each folder, and by its bare name there.
+/// Where a file that is called `name` may stand: as stated, seen from each folder, and by its bare name
+/// there.
 std::vector<fs::path> candidates(const std::string& name, const std::vector<fs::path>& folders) {
     std::vector<fs::path> paths;
     const auto add = [&](const fs::path& path) {

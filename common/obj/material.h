@@ -1,4 +1,5 @@
-// The materials of an OBJ file: finds its .mtl files and their textures, checks them, and says what is missing.
+// The materials of an OBJ file: finds its .mtl files and their textures, checks them, and says what is
+// missing.
 #pragma once
 
 #include "common/obj_file.h"
@@ -38,8 +39,8 @@ class TextureLoader {
   public:
     explicit TextureLoader(const std::string& obj_path_) : obj_path(obj_path_) {}
 
-    /// The number in `bitmaps` of the texture that `mtl` calls `name`. One that cannot be read becomes a magenta
-    /// checker, with a warning that says which paths were tried.
+    /// The number in `bitmaps` of the texture that `mtl` calls `name`. One that cannot be read becomes a
+    /// magenta checker, with a warning that says which paths were tried.
     int load(const std::filesystem::path& mtl, const std::string& name);
 
     std::vector<Bitmap> bitmaps;

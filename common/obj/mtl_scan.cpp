@@ -1,5 +1,6 @@
 // The text of an .mtl file, checked and reduced to the lines we use, in the one form that tinyobjloader reads
-// rightly: it takes "nan" for 0, a grey "Kd .5" for dark red, and the third number of "-s 2 2 wood.png" for the name.
+// rightly: it takes "nan" for 0, a grey "Kd .5" for dark red, and the third number of "-s 2 2 wood.png" for
+// the name.
 #include "common/obj/material.h"
 
 #include "common/error.h"

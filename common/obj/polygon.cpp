@@ -1,5 +1,6 @@
-// A polygon cut into triangles by clipping ears (Meisters, American Mathematical Monthly, 1975). tinyobjloader's own
-// cut depends on where the origin lies and cuts concave quads along the wrong diagonal, so it is not used.
+// A polygon cut into triangles by clipping ears (Meisters, American Mathematical Monthly, 1975).
+// tinyobjloader's own cut depends on where the origin lies and cuts concave quads along the wrong diagonal,
+// so it is not used.
 #include "common/obj/polygon.h"
 
 #include <algorithm>
@@ -50,8 +51,8 @@ struct Ring {
     dvec2 point(std::size_t i) const { return flat[std::size_t(at(i))]; }
     std::array<int, 3> triangle(std::size_t i) const { return {at(i), at(i + 1), at(i + 2)}; }
 
-    /// The corner i + 1 is an ear if it turns left and nothing of the polygon reaches into its triangle. Only a
-    /// corner that does not turn left can be the first to do so.
+    /// The corner i + 1 is an ear if it turns left and nothing of the polygon reaches into its triangle. Only
+    /// a corner that does not turn left can be the first to do so.
     bool is_ear(std::size_t i) const {
         const dvec2 a = point(i), b = point(i + 1), c = point(i + 2);
         if (!(turn(a, b, c) > 0)) return false;

@@ -8,8 +8,8 @@
 
 namespace rt {
 
-/// Cuts a simple polygon of n >= 3 corners in space into n - 2 triangles of the same sense of rotation, each three
-/// positions in `corners`. One that crosses itself, or has no area, is cut somehow.
+/// Cuts a simple polygon of n >= 3 corners in space into n - 2 triangles of the same sense of rotation, each
+/// three positions in `corners`. One that crosses itself, or has no area, is cut somehow.
 std::vector<std::array<int, 3>> cut_polygon(const std::vector<vec3>& corners);
 
 } // namespace rt

@@ -1,5 +1,5 @@
-// The text of an OBJ file, checked in one pass. tinyobjloader takes "nan" and "abc" for 0, lets indices run out of
-// range and wrap at 2^31, and tells no line: whatever it would guess at is an error here.
+// The text of an OBJ file, checked in one pass. tinyobjloader takes "nan" and "abc" for 0, lets indices run
+// out of range and wrap at 2^31, and tells no line: whatever it would guess at is an error here.
 #include "common/obj/scan.h"
 
 #include "common/error.h"
@@ -221,8 +221,8 @@ void Scanner::check_name(char* at, char* end, bool library) {
         scan.materials.emplace(view(at, end), line);
 }
 
-/// Groups, objects, smoothing, lines, points, curves and what other programs add. A word of control characters
-/// is none of these.
+/// Groups, objects, smoothing, lines, points, curves and what other programs add. A word of control
+/// characters is none of these.
 void Scanner::check_ignored(char* begin, const char* keyword_end) {
     const auto is_control = [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; };
     const bool end_of_dos_file = *begin == '\x1a' && line > 1;

@@ -1,4 +1,5 @@
-// The text of an OBJ file, checked line by line before tinyobjloader sees it: so that an error can name its line.
+// The text of an OBJ file, checked line by line before tinyobjloader sees it: so that an error can name its
+// line.
 #pragma once
 
 #include <cstdint>
@@ -36,8 +37,8 @@ struct ObjScan {
 };
 
 /// Throws Error with path and line for what is not OBJ. Rewrites `text` in place to what tinyobjloader reads
-/// rightly: vertices, normals, texture coordinates, faces, usemtl and mtllib; continued lines joined; the rest
-/// turned into comments. A name keeps its inner spaces as `inner_space`.
+/// rightly: vertices, normals, texture coordinates, faces, usemtl and mtllib; continued lines joined; the
+/// rest turned into comments. A name keeps its inner spaces as `inner_space`.
 ObjScan scan_obj(const std::string& path, std::string& text);
 
 } // namespace rt

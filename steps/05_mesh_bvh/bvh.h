@@ -36,7 +36,7 @@ struct Split {
 };
 
 inline constexpr int bins = 16;
-inline constexpr float box_cost = 0.5f;        ///< of one box test, in triangle tests; measured, not critical
+inline constexpr float box_cost = 0.5f;        ///< of one box test, in triangle tests
 inline constexpr std::uint32_t leaf_limit = 8; ///< never more shapes in a leaf
 
 /// The cut along `axis` with the least surface area heuristic, among the borders of equal bins (Wald 2007):

@@ -13,8 +13,8 @@ struct TriangleHit {
     float t, u, v;
 };
 
-/// How far, in barycentric weight, a triangle reaches over its edge: some roundings of a double. Without it,
-/// and in float, one ray in a dozen that aims at a shared edge slips through between the neighbours.
+/// How far, in barycentric weight, a triangle reaches over its edge: some roundings of a double. In float
+/// and without it, rays that aim at a shared edge slip through between the neighbours.
 inline constexpr double overlap = 0x1p-40;
 
 /// Moller and Trumbore 1997: Cramer's rule on  t (-D) + u (B - A) + v (C - A) = O - A.  The determinant is

@@ -1,4 +1,5 @@
-// Facts about comparing: equal pictures pass, a bias is found where it is and with its sign, noise does not alarm.
+// Facts about comparing: equal pictures pass, a bias is found where it is and with its sign, noise does not
+// alarm.
 #include "common/compare/compare.h"
 
 #include "common/error.h"

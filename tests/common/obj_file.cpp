@@ -1,4 +1,5 @@
-// Facts about OBJ files: what the format allows is read as it is meant, what is wrong is named with file and line.
+// Facts about OBJ files: what the format allows is read as it is meant, what is wrong is named with file and
+// line.
 #include "common/obj_file.h"
 
 #include "common/error.h"
@@ -52,7 +53,8 @@ vec3 area_vector(const std::vector<vec3>& positions, const std::array<ObjCorner,
     return cross(b - a, c - a) * 0.5f;
 }
 
-/// The sum of the triangles' areas, negative for those that are turned the wrong way round as seen along `axis`.
+/// The sum of the triangles' areas, negative for those that are turned the wrong way round as seen along
+/// `axis`.
 float area(const ObjFile& file, vec3 axis) {
     float sum = 0;
     for (const auto& triangle : file.triangles) sum += dot(area_vector(file.positions, triangle), axis);
@@ -65,7 +67,8 @@ float area(const ObjFile& file) {
     return sum;
 }
 
-/// A polygon in the plane z = 0 as an OBJ, moved and turned: what is right must not depend on where it stands.
+/// A polygon in the plane z = 0 as an OBJ, moved and turned: what is right must not depend on where it
+/// stands.
 std::string polygon_text(const std::vector<vec2>& corners, vec3 origin, vec3 right, vec3 up) {
     std::string text, face = "f";
     for (std::size_t i = 0; i < corners.size(); ++i) {

@@ -1,4 +1,5 @@
-// A folder for files that a check makes at run time, broken ones above all, and an ear for what is said about them.
+// A folder for files that a check makes at run time, broken ones above all, and an ear for what is said about
+// them.
 #pragma once
 
 #include "common/error.h"
