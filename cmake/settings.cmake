@@ -17,6 +17,9 @@ target_compile_options(rt_settings INTERFACE -Wno-missing-field-initializers)
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     target_compile_options(rt_settings INTERFACE -Wno-restrict) # false alarms of GCC 12 in "text" + std::string
 endif()
+# Rows of eight numbers are passed in another way without AVX than with it, which matters only between files that are
+# compiled differently.
+target_compile_options(rt_settings INTERFACE -Wno-psabi)
 if(RAYSTEPS_WERROR)
     target_compile_options(rt_settings INTERFACE -Werror)
 endif()

@@ -5,6 +5,7 @@
 #include "common/error.h"
 #include "common/file_bytes.h"
 #include "common/image_file.h"
+#include "common/parallel.h"
 #include "common/progress.h"
 
 #include <algorithm>
@@ -256,7 +257,10 @@ int run_program(Options& options, int argc, const char* const* argv,
     make_streams_safe();
     StopHandler handler(options.name());
     try {
-        if (options.parse(argc, argv)) run(options, body, handler);
+        if (options.parse(argc, argv)) {
+            use_threads(options.picture().threads);
+            run(options, body, handler);
+        }
         if (!std::cout.flush())
             throw Error(
                 "stdout takes no more text (is the disk full, or did the reader leave?); all else went well");

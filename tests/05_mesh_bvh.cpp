@@ -6,6 +6,7 @@
 #include "common/options.h"
 #include "common/random.h"
 #include "tests/check.h"
+#include "tests/meshes.h"
 
 #include <bit>
 #include <chrono>
@@ -13,121 +14,10 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
-#include <map>
 
 using namespace rt;
 
 namespace {
-
-vec3 random_point(Random& random) {
-    const float x = random.uniform();
-    const float y = random.uniform();
-    const float z = random.uniform();
-    return {x, y, z};
-}
-
-vec3 random_direction(Random& random) {
-    while (true) {
-        const vec3 p = 2.0f * random_point(random) - 1.0f;
-        if (dot(p, p) < 1 && dot(p, p) > 0.01f) return 1.7f * p; // of any length
-    }
-}
-
-void add_triangle(ObjFile& file, vec3 a, vec3 b, vec3 c) {
-    const int first = int(file.positions.size());
-    file.positions.insert(file.positions.end(), {a, b, c});
-    file.triangles.push_back({{{first}, {first + 1}, {first + 2}}});
-    file.materials.push_back(0);
-}
-
-ObjFile empty_file() {
-    ObjFile file;
-    file.material_list.resize(1);
-    return file;
-}
-
-/// Triangles of about this size, strewn over the unit cube.
-ObjFile random_triangles(int count, float size, std::uint64_t seed = 1) {
-    ObjFile file = empty_file();
-    Random random(seed);
-    for (int i = 0; i < count; ++i) {
-        const vec3 a = random_point(random);
-        const vec3 b = a + size * (random_point(random) - 0.5f);
-        const vec3 c = a + size * (random_point(random) - 0.5f);
-        add_triangle(file, a, b, c);
-    }
-    return file;
-}
-
-/// 2 size^2 triangles that make the unit square of the plane z = .3; its lines of corners are shared.
-ObjFile flat_grid(int size) {
-    ObjFile file = empty_file();
-    for (int y = 0; y <= size; ++y)
-        for (int x = 0; x <= size; ++x)
-            file.positions.push_back({float(x) / float(size), float(y) / float(size), 0.3f});
-    for (int y = 0; y < size; ++y) {
-        for (int x = 0; x < size; ++x) {
-            const int a = y * (size + 1) + x, b = a + 1, c = a + size + 1, d = c + 1;
-            file.triangles.push_back({{{a}, {b}, {d}}});
-            file.triangles.push_back({{{a}, {d}, {c}}});
-            file.materials.insert(file.materials.end(), {0, 0});
-        }
-    }
-    return file;
-}
-
-/// A ball of 20 * 4^level triangles: an icosahedron, each face cut in four, the corners moved to radius 1.
-ObjFile icosphere(int level) {
-    const float g = (1 + std::sqrt(5.0f)) / 2;
-    ObjFile file = empty_file();
-    file.positions = {{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
-                      {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
-    for (vec3& p : file.positions) p = normalize(p);
-    std::vector<std::array<int, 3>> faces = {{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
-                                             {1, 5, 9},  {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
-                                             {3, 9, 4},  {3, 4, 2},  {3, 2, 6},   {3, 6, 8},  {3, 8, 9},
-                                             {4, 9, 5},  {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}};
-    for (; level > 0; --level) {
-        std::map<std::pair<int, int>, int> known;
-        const auto half_way = [&](int a, int b) {
-            const auto [place, is_new] = known.emplace(std::minmax(a, b), int(file.positions.size()));
-            if (is_new)
-                file.positions.push_back(
-                    normalize(file.positions[std::size_t(a)] + file.positions[std::size_t(b)]));
-            return place->second;
-        };
-        std::vector<std::array<int, 3>> finer;
-        for (const auto& [a, b, c] : faces) {
-            const int ab = half_way(a, b), bc = half_way(b, c), ca = half_way(c, a);
-            finer.insert(finer.end(), {{a, ab, ca}, {b, bc, ab}, {c, ca, bc}, {ab, bc, ca}});
-        }
-        faces = finer;
-    }
-    for (const auto& [a, b, c] : faces) {
-        file.triangles.push_back({{{a}, {b}, {c}}});
-        file.materials.push_back(0);
-    }
-    return file;
-}
-
-/// The cube [-1, 1]^3, two triangles a face, eight shared corners, no normals.
-ObjFile cube() {
-    ObjFile file = empty_file();
-    for (int i = 0; i < 8; ++i)
-        file.positions.push_back(vec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1));
-    const std::array<int, 4> faces[] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
-                                        {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
-    for (const auto& [a, b, c, d] : faces) {
-        file.triangles.push_back({{{a}, {b}, {c}}});
-        file.triangles.push_back({{{a}, {c}, {d}}});
-        file.materials.insert(file.materials.end(), {0, 0});
-    }
-    return file;
-}
-
-void transform(ObjFile& file, float scale, vec3 shift) {
-    for (vec3& position : file.positions) position = scale * position + shift;
-}
 
 Scene scene_of(const ObjFile& file, float crease = 40) {
     Scene scene;
@@ -136,9 +26,16 @@ Scene scene_of(const ObjFile& file, float crease = 40) {
     return scene;
 }
 
+Scene with(Scene scene, Accel accel) {
+    scene.accel = accel;
+    prepare(scene);
+    return scene;
+}
+
 /// Shoots `count` rays at the box around the scene and compares the tree with asking every shape.
 /// Of two shapes at the same t either may be met first, so only t is compared.
-void check_tree_changes_nothing(Scene scene, const Box& box, int count, std::uint64_t seed = 7) {
+void check_tree_changes_nothing(const Scene& any, const Box& box, int count, std::uint64_t seed = 7) {
+    Scene scene = with(any, Accel::bvh);
     Random random(seed);
     const float size = std::max(length(box.high - box.low), 1e-20f);
     int hits = 0, wrong = 0, wrong_shadows = 0;
@@ -216,26 +113,6 @@ int check_tree(const std::vector<Box>& boxes) {
     return depth;
 }
 
-std::vector<Box> boxes_of(const ObjFile& file) {
-    std::vector<Box> boxes;
-    for (const auto& triangle : file.triangles) {
-        Box box;
-        for (const ObjCorner& corner : triangle) grow(box, file.positions[std::size_t(corner.position)]);
-        boxes.push_back(box);
-    }
-    return boxes;
-}
-
-/// Boxes at 2^k along an axis, so that each cut by equal bins splits off only a few of them.
-std::vector<Box> exponential_chain(int from, int to, vec3 axis) {
-    std::vector<Box> boxes;
-    for (int k = from; k <= to; ++k) {
-        const vec3 p = std::ldexp(1.0f, k) * axis;
-        boxes.push_back({min(p, 1.01f * p), max(p, 1.01f * p)});
-    }
-    return boxes;
-}
-
 std::optional<float> entry(const Box& box, const Ray& ray) {
     return entry(box, slab_ray(ray), ray.t_min, ray.t_max);
 }
@@ -246,7 +123,7 @@ const vec3 a = {1, -2, 3}, b = {3, 1, 4}, c = {-1, 2, 6}; // a skew triangle
 
 /// What rays between points around the unit cube cost, that cube being `scale` wide.
 Tally cost_of(Scene scene, Accel accel, int rays, float scale = 1) {
-    scene.accel = accel;
+    scene = with(scene, accel);
     Random random(5);
     tally = {};
     for (int i = 0; i < rays; ++i) {
@@ -652,7 +529,7 @@ TEST_CASE("the tree finds what asking every sphere finds, alone and among triang
 TEST_CASE("the nearest of several things is met, whichever kind it is") {
     for (int nearest = 0; nearest < 4; ++nearest) {
         const auto depth = [&](int kind) { return -2.0f - float((kind - nearest + 4) % 4); };
-        for (const Accel accel : {Accel::brute, Accel::bvh}) {
+        for (const Accel accel : {Accel::brute, Accel::bvh, Accel::wide}) {
             Scene scene;
             scene.accel = accel;
             for (int kind = 0; kind < 3; ++kind) add(scene, Diffuse{vec3(0.5f)});

@@ -555,11 +555,14 @@ TEST_CASE("a glass model stays glass, and a tree changes nothing about textured 
         const vec2 p = random.uniform2();
         scene.spheres.push_back({{p.x, p.y, random.uniform()}, 0.1f, picture});
     }
-    prepare(scene);
+    for (const Accel accel : {Accel::bvh, Accel::wide}) {
+        scene.accel = accel;
+        prepare(scene);
+    }
     for (int i = 0; i < 500; ++i) {
         const vec2 p = random.uniform2();
         const Ray ray{{p.x, p.y, 4}, {0.01f, -0.02f, -1}};
-        scene.accel = Accel::bvh;
+        scene.accel = i % 2 ? Accel::bvh : Accel::wide;
         const vec3 tree = radiance(scene, ray, 2);
         const bool tree_shadow = occluded(scene, ray);
         scene.accel = Accel::brute;

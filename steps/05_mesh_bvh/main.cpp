@@ -38,8 +38,7 @@ int main(int argc, char** argv) {
     Options options("05_mesh_bvh", "What if there are a hundred thousand things to hit?",
                     {.width = 640, .height = 400, .samples = 16});
     const ModelKnobs model(options);
-    const auto accel = options.choice("accel", {"brute", "bvh"}, Accel::bvh,
-                                      "how a ray finds what it meets: ask every triangle, or descend a tree");
+    const auto accel = accel_knob(options, Accel::bvh);
     const int& depth = options.knob("depth", 6, 0, 24, "mirrors and boundaries that a ray may meet");
     const auto view = view_knob(options);
     const CameraKnobs camera_knobs(options,

@@ -38,10 +38,14 @@ inline std::array<vec3, 3> corners(const Mesh& mesh, std::uint32_t triangle) {
     return {mesh.positions[a], mesh.positions[b], mesh.positions[c]};
 }
 
-inline Box bounds(const Mesh& mesh, std::uint32_t triangle) {
+inline Box bounds(const std::array<vec3, 3>& triangle) {
     Box box;
-    for (const vec3 corner : corners(mesh, triangle)) grow(box, corner);
+    for (const vec3 corner : triangle) grow(box, corner);
     return box;
+}
+
+inline Box bounds(const Mesh& mesh, std::uint32_t triangle) {
+    return bounds(corners(mesh, triangle));
 }
 
 inline Box bounds(const Mesh& mesh) {

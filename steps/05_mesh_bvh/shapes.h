@@ -7,7 +7,10 @@
 #include "03_mirror/quad.h"
 #include "05_mesh_bvh/bvh.h"
 #include "05_mesh_bvh/mesh.h"
+#include "05_mesh_bvh/wide_build.h"
+#include "05_mesh_bvh/wide_bvh.h"
 #include "common/match.h"
+#include "common/options.h"
 #include "common/tally.h"
 
 #include <algorithm>
@@ -16,27 +19,68 @@
 
 namespace rt {
 
-/// How a ray looks for what it meets: by asking every shape, or by descending a tree.
-enum class Accel { brute, bvh };
+/// How a ray looks for what it meets: by asking every shape, by descending a binary tree, or one with eight boxes a
+/// node and eight shapes a leaf.
+enum class Accel { brute, bvh, wide };
+
+inline Choice<Accel> accel_knob(Options& options, Accel initial) {
+    return options.choice(
+        "accel", {"brute", "bvh", "wide"}, initial,
+        "how a ray finds what it meets: ask every shape, descend a tree, or a tree that tests "
+        "eight at once");
+}
 
 struct Shapes {
     std::vector<Sphere> spheres;
     std::vector<Plane> planes;
     std::vector<Quad> quads;
     Mesh mesh;
-    Accel accel = Accel::bvh;
-    Bvh sphere_tree;   ///< made by prepare(), as is
-    Bvh triangle_tree; ///< this one
+    Accel accel = Accel::wide;
+    Bvh sphere_tree; ///< made by prepare(), if `accel` asks for it, as are
+    Bvh triangle_tree;
+    WideBvh<SphereBlock> wide_spheres;
+    WideBvh<TriangleBlock> wide_triangles; ///< those of the mesh, and then the two halves of each quad
 };
 
-/// Builds the trees. Call it once, when all shapes are in place.
-inline void prepare(Shapes& shapes) {
+/// A quad as two triangles, so that the wide tree need not know it: `half` is 0 or 1.
+inline std::array<vec3, 3> half_of(const Quad& quad, std::size_t half) {
+    const vec3 opposite = quad.corner + quad.edge_u + quad.edge_v;
+    if (half == 0) return {quad.corner, quad.corner + quad.edge_u, opposite};
+    return {quad.corner, opposite, quad.corner + quad.edge_v};
+}
+
+/// Triangle number i of the wide tree.
+inline std::array<vec3, 3> wide_corners(const Shapes& shapes, std::uint32_t i) {
+    const std::size_t triangles = shapes.mesh.triangles.size();
+    if (i < triangles) return corners(shapes.mesh, i);
+    return half_of(shapes.quads[(i - triangles) / 2], (i - triangles) % 2);
+}
+
+inline void build_wide_trees(Shapes& shapes) {
+    shapes.wide_spheres = build_wide_bvh<SphereBlock>(
+        shapes.spheres.size(), [&](std::uint32_t i) { return bounds(shapes.spheres[i]); },
+        [&](SphereBlock& block, int lane, std::uint32_t i) { put(block, lane, shapes.spheres[i], i); });
+    shapes.wide_triangles = build_wide_bvh<TriangleBlock>(
+        shapes.mesh.triangles.size() + 2 * shapes.quads.size(),
+        [&](std::uint32_t i) { return bounds(wide_corners(shapes, i)); },
+        [&](TriangleBlock& block, int lane, std::uint32_t i) {
+            put(block, lane, wide_corners(shapes, i), i);
+        });
+}
+
+inline void build_binary_trees(Shapes& shapes) {
     std::vector<Box> boxes;
     for (const Sphere& sphere : shapes.spheres) boxes.push_back(bounds(sphere));
     shapes.sphere_tree = build_bvh(boxes);
     boxes.clear();
     for (std::uint32_t i = 0; i < shapes.mesh.triangles.size(); ++i) boxes.push_back(bounds(shapes.mesh, i));
     shapes.triangle_tree = build_bvh(boxes);
+}
+
+/// Builds the trees that `accel` asks for. Call it once, when all shapes are in place.
+inline void prepare(Shapes& shapes) {
+    if (shapes.accel == Accel::bvh) build_binary_trees(shapes);
+    if (shapes.accel == Accel::wide) build_wide_trees(shapes);
 }
 
 /// Calls test(i) for all shapes that the ray may meet, until one answers true.
@@ -47,19 +91,18 @@ void search(Accel accel, const Bvh& tree, std::size_t count, const Ray& ray, Tes
         if (test(i)) return;
 }
 
-/// What the ray meets first. Each hit shortens the ray, so the last one found is the nearest; only that one
-/// is worked out in full.
-inline std::optional<Hit> intersect(const Shapes& shapes, Ray ray) {
-    ++tally.rays;
-    std::variant<std::monostate, const Sphere*, const Plane*, const Quad*, MeshHit> nearest;
+/// What a search keeps of the nearest shape; the end of the ray says where.
+using Met = std::variant<std::monostate, const Sphere*, const Plane*, const Quad*, MeshHit>;
+
+/// Asks spheres, quads and triangles, one by one or by their binary trees. A hit shortens the ray.
+inline void search_shapes(const Shapes& shapes, Ray& ray, Met& met) {
     const auto test = [&](const auto& shape) {
         if (const auto t = intersect(shape, ray)) {
             ray.t_max = *t;
-            nearest = &shape;
+            met = &shape;
         }
         return false;
     };
-    for (const Plane& plane : shapes.planes) test(plane);
     for (const Quad& quad : shapes.quads) test(quad);
     search(shapes.accel, shapes.sphere_tree, shapes.spheres.size(), ray,
            [&](std::uint32_t i) { return test(shapes.spheres[i]); });
@@ -68,13 +111,46 @@ inline std::optional<Hit> intersect(const Shapes& shapes, Ray ray) {
         const auto [a, b, c] = corners(shapes.mesh, i);
         if (const auto hit = intersect(a, b, c, ray)) {
             ray.t_max = hit->t;
-            nearest = MeshHit{&shapes.mesh, i, hit->u, hit->v};
+            met = MeshHit{&shapes.mesh, i, hit->u, hit->v};
         }
         //<
         return false;
     });
+}
+
+/// The same by the wide trees.
+inline void search_wide(const Shapes& shapes, Ray& ray, Met& met) {
+    if (const auto hit = nearest(shapes.wide_spheres, ray)) {
+        ray.t_max = hit->t;
+        met = &shapes.spheres[hit->shape];
+    }
+    if (const auto hit = nearest(shapes.wide_triangles, ray)) {
+        ray.t_max = hit->t;
+        const std::size_t triangles = shapes.mesh.triangles.size();
+        if (hit->shape < triangles)
+            met = MeshHit{&shapes.mesh, hit->shape, hit->u, hit->v};
+        else
+            met = &shapes.quads[(hit->shape - triangles) / 2];
+    }
+}
+
+/// What the ray meets first. Each hit shortens the ray, so the last one found is the nearest; only that one
+/// is worked out in full.
+inline std::optional<Hit> intersect(const Shapes& shapes, Ray ray) {
+    ++tally.rays;
+    Met met;
+    for (const Plane& plane : shapes.planes) {
+        if (const auto t = intersect(plane, ray)) {
+            ray.t_max = *t;
+            met = &plane;
+        }
+    }
+    if (shapes.accel == Accel::wide)
+        search_wide(shapes, ray, met);
+    else
+        search_shapes(shapes, ray, met);
     return match(
-        nearest, [](std::monostate) { return std::optional<Hit>(); },
+        met, [](std::monostate) { return std::optional<Hit>(); },
         [&](const auto* shape) { return std::optional(surface(*shape, ray)); },
         [&](const MeshHit& found) { return std::optional(surface(found, ray)); });
 }
@@ -84,7 +160,10 @@ inline bool occluded(const Shapes& shapes, const Ray& ray) {
     ++tally.rays;
     bool found = false;
     const auto test = [&](const auto& shape) { return found = intersect(shape, ray).has_value(); };
-    if (std::ranges::any_of(shapes.planes, test) || std::ranges::any_of(shapes.quads, test)) return true;
+    if (std::ranges::any_of(shapes.planes, test)) return true;
+    if (shapes.accel == Accel::wide)
+        return any_hit(shapes.wide_triangles, ray) || any_hit(shapes.wide_spheres, ray);
+    if (std::ranges::any_of(shapes.quads, test)) return true;
     search(shapes.accel, shapes.sphere_tree, shapes.spheres.size(), ray,
            [&](std::uint32_t i) { return test(shapes.spheres[i]); });
     if (found) return true;

@@ -35,8 +35,7 @@ int main(int argc, char** argv) {
                     {.width = 640, .height = 400, .samples = 16});
     const ModelKnobs model(options);
     const int& tiles = options.knob("tiles", 1, 1, 50, "how often the test card repeats, each way");
-    const auto accel = options.choice("accel", {"brute", "bvh"}, Accel::bvh,
-                                      "how a ray finds what it meets: ask every triangle, or descend a tree");
+    const auto accel = accel_knob(options, Accel::wide);
     const int& depth = options.knob("depth", 6, 0, 24, "mirrors and boundaries that a ray may meet");
     const auto view = view_knob(options);
     const CameraKnobs camera_knobs(options,

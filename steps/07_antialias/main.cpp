@@ -55,8 +55,7 @@ int main(int argc, char** argv) {
                                        "how a pixel weighs the light around its middle");
     const float& filter_width = options.knob(
         "filter-width", 1.0f, 0.0f, 10.0f, "scales the filter: box 1 pixel wide, tent 2, Gaussian sigma 1/2");
-    const auto accel = options.choice("accel", {"brute", "bvh"}, Accel::bvh,
-                                      "how a ray finds what it meets: ask every triangle, or descend a tree");
+    const auto accel = accel_knob(options, Accel::wide);
     const int& depth = options.knob("depth", 6, 0, 24, "mirrors and boundaries that a ray may meet");
     const auto view = view_knob(options);
     const CameraKnobs camera_knobs(options, {.from = {0, 1.25f, 5.2f}, .at = {0, 0.95f, 0}, .fov = 32});

@@ -49,8 +49,7 @@ int main(int argc, char** argv) {
     const auto show = options.choice("scene", {"room", "furnace"}, Show::room,
                                      "what to show: the reference's room, or a white ball in a white world, "
                                      "which must not be seen");
-    const auto accel = options.choice("accel", {"brute", "bvh"}, Accel::bvh,
-                                      "how a ray finds what it meets: ask every triangle, or descend a tree");
+    const auto accel = accel_knob(options, Accel::wide);
     const auto pattern = options.choice("pattern", {"random", "stratified"}, Pattern::stratified,
                                         "how the samples of a pixel are spread: anywhere, or one a cell");
     const auto filter = options.choice("filter", {"box", "tent", "gaussian"}, Filter::gaussian,

@@ -1,0 +1,351 @@
+// How the wide tree is made: cut in two by the surface area heuristic until eight shapes are left, then fold the
+// binary tree into nodes of eight children in the way that costs a ray least.
+#pragma once
+
+#include "05_mesh_bvh/box.h"
+#include "05_mesh_bvh/wide_bvh.h"
+#include "common/parallel.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <span>
+#include <vector>
+
+namespace rt {
+
+using Four = float __attribute__((vector_size(16)));
+using FourInts = std::int32_t __attribute__((vector_size(16)));
+
+inline Four least(Four a, Four b) {
+    return a < b ? a : b;
+}
+inline Four greatest(Four a, Four b) {
+    return a > b ? a : b;
+}
+
+/// A box as one register for each end. The fourth lane counts for nothing.
+struct FourBox {
+    Four low = Four{} + infinity;
+    Four high = Four{} - infinity;
+};
+
+inline void grow(FourBox& box, const FourBox& other) {
+    box.low = least(box.low, other.low);
+    box.high = greatest(box.high, other.high);
+}
+
+inline float half_area(const FourBox& box) {
+    const Four size = greatest(box.high - box.low, Four{});
+    return size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
+}
+
+/// A shape on its way down the tree: its box, and in the fourth lane of `low` its number, dressed as an ordinary
+/// float so that it can be computed with at no cost, and no sense.
+struct Fragment {
+    FourBox box;
+};
+
+inline Fragment fragment(const Box& box, std::uint32_t shape) {
+    const float number = std::bit_cast<float>(shape | 0x40000000);
+    return {{Four{box.low.x, box.low.y, box.low.z, number}, Four{box.high.x, box.high.y, box.high.z, 0}}};
+}
+
+inline std::uint32_t shape_of(const Fragment& fragment) {
+    return std::bit_cast<std::uint32_t>(fragment.box.low[3]) & 0x3fffffff;
+}
+
+inline Four middle(const Fragment& fragment) {
+    return fragment.box.low * 0.5f + fragment.box.high * 0.5f;
+}
+
+/// The fragments begin to end - 1, the box of all, and the box of their middles.
+struct Range {
+    std::size_t begin = 0, end = 0;
+    FourBox box, middles;
+
+    std::size_t count() const { return end - begin; }
+};
+
+/// Equal bins along each axis, over the box of the middles.
+struct Binning {
+    static constexpr int count = 16;
+    Four low, per_width;
+
+    explicit Binning(const FourBox& middles) : low(middles.low) {
+        const Four size = middles.high - middles.low;
+        per_width = size > 0 ? (count * (1 - 0x1p-20f)) / size : Four{};
+    }
+    /// The bin on each axis; the comparisons also catch what is not a number, in a box without end.
+    FourInts operator()(Four place) const {
+        const FourInts bin = __builtin_convertvector((place - low) * per_width, FourInts);
+        const FourInts last = FourInts{} + (count - 1);
+        return bin < 0 ? FourInts{} : bin > last ? last : bin;
+    }
+};
+
+/// Fragments left of bin `bin` along `axis` go left. Without an axis no cut tells them apart.
+struct WideCut {
+    int axis = -1;
+    int bin = 0;
+    float cost = infinity;
+    FourBox left, right;
+};
+
+/// How many blocks so many shapes fill: what a leaf costs, however full its last block is.
+inline float blocks_of(std::size_t shapes) {
+    return float((shapes + lanes - 1) / lanes);
+}
+
+struct Bins {
+    FourBox boxes[3][Binning::count];
+    std::uint32_t counts[3][Binning::count] = {};
+
+    void add(const Fragment& fragment, FourInts bin) {
+        for (int axis = 0; axis < 3; ++axis) {
+            grow(boxes[axis][bin[axis]], fragment.box);
+            ++counts[axis][bin[axis]];
+        }
+    }
+
+    /// Sweeps along the axis from both ends; `best` becomes the cheapest cut if that is cheaper.
+    void sweep(int axis, std::size_t total, WideCut& best) const {
+        std::array<FourBox, Binning::count> right;
+        for (int i = Binning::count - 1; i > 0; --i) {
+            right[std::size_t(i)] = boxes[axis][i];
+            if (i + 1 < Binning::count) grow(right[std::size_t(i)], right[std::size_t(i) + 1]);
+        }
+        FourBox left;
+        std::size_t count = 0;
+        for (int i = 1; i < Binning::count; ++i) {
+            grow(left, boxes[axis][i - 1]);
+            count += counts[axis][i - 1];
+            if (count == 0 || count == total) continue;
+            const float cost = half_area(left) * blocks_of(count) +
+                               half_area(right[std::size_t(i)]) * blocks_of(total - count);
+            if (cost < best.cost) best = {axis, i, cost, left, right[std::size_t(i)]};
+        }
+    }
+};
+
+inline WideCut best_cut(std::span<const Fragment> fragments, const Binning& binning) {
+    Bins filled;
+    for (const Fragment& fragment : fragments) filled.add(fragment, binning(middle(fragment)));
+    WideCut best;
+    for (int axis = 0; axis < 3; ++axis)
+        if (binning.per_width[axis] > 0) filled.sweep(axis, fragments.size(), best);
+    return best;
+}
+
+/// A node of the binary tree, and what folding it into wide nodes would cost. A leaf has no children.
+struct BinaryNode {
+    Box box;
+    std::uint32_t left = 0, right = 0;  ///< numbers of nodes
+    std::uint32_t first = 0, count = 0; ///< a leaf's place in the order of the shapes
+    std::array<float, 7> cost{};        ///< cost[k - 1]: if it may take k of the eight places of a node above
+    std::array<std::uint8_t, 7> share{}; ///< how many of these go to the left child; 0: as with k - 1
+};
+
+/// Ylitie, Karras and Laine 2017, section 3.2 ("Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide
+/// BVHs"): of all ways to fold the tree, the least sum of areas, since a ray visits a node with a chance in
+/// proportion to its area. With k places a subtree shares them between its children, or takes one as a node of its
+/// own with eight places below.
+inline void weigh(BinaryNode& node, const BinaryNode& left, const BinaryNode& right) {
+    const auto shared = [&](std::size_t places) {
+        std::pair<float, std::uint8_t> best{infinity, std::uint8_t(1)}; // which stays if all areas overflow
+        for (std::size_t k = 1; k < places; ++k) {
+            const float cost = left.cost[k - 1] + right.cost[places - k - 1];
+            if (cost < best.first) best = {cost, std::uint8_t(k)};
+        }
+        return best;
+    };
+    std::tie(node.cost[0], node.share[0]) = shared(lanes);
+    node.cost[0] += half_area(node.box);
+    for (std::size_t places = 2; places <= 7; ++places) {
+        const auto [cost, share] = shared(places);
+        const bool better = cost < node.cost[places - 2];
+        node.cost[places - 1] = better ? cost : node.cost[places - 2];
+        node.share[places - 1] = better ? share : std::uint8_t(0);
+    }
+}
+
+/// Makes the binary tree. The fragments move from one array to the other at each cut; `order` gets their numbers
+/// when they arrive in a leaf.
+struct BinaryBuilder {
+    std::array<BigVector<Fragment>, 2> fragments;
+    BigVector<std::uint32_t> order;
+
+    Range whole() const {
+        Range range{0, order.size(), {}, {}};
+        for (const Fragment& fragment : fragments[0]) add(range, fragment);
+        return range;
+    }
+    static void add(Range& range, const Fragment& fragment) {
+        grow(range.box, fragment.box);
+        grow(range.middles, {middle(fragment), middle(fragment)});
+    }
+
+    /// Cuts the range, which lies in fragments[side], into two in the other array.
+    std::array<Range, 2> cut(const Range& range, int side, bool halve) {
+        const Fragment* const from = fragments[std::size_t(side)].data();
+        Fragment* const to = fragments[std::size_t(1 - side)].data();
+        const Binning binning(range.middles);
+        const WideCut best = halve ? WideCut{} : best_cut({from + range.begin, range.count()}, binning);
+        if (best.axis < 0) return halves(range, from, to);
+        std::size_t low = range.begin, high = range.end;
+        FourBox middles[2];
+        for (std::size_t i = range.begin; i < range.end; ++i) {
+            const Fragment fragment = from[i];
+            const Four place = middle(fragment);
+            const bool left = binning(place)[best.axis] < best.bin;
+            to[low] = to[high - 1] = fragment; // to both sides, and only one moves on: no branch to guess
+            low += left;
+            high -= !left;
+            grow(middles[left], {place, place});
+        }
+        return {Range{range.begin, low, best.left, middles[1]},
+                Range{low, range.end, best.right, middles[0]}};
+    }
+
+    /// The first half and the rest, as they lie.
+    static std::array<Range, 2> halves(const Range& range, const Fragment* from, Fragment* to) {
+        const std::size_t half = range.begin + range.count() / 2;
+        std::array<Range, 2> parts{Range{range.begin, half, {}, {}}, Range{half, range.end, {}, {}}};
+        for (Range& part : parts)
+            for (std::size_t i = part.begin; i < part.end; ++i) add(part, to[i] = from[i]);
+        return parts;
+    }
+
+    /// Appends the tree of the range to `nodes`.
+    void build(std::vector<BinaryNode>& nodes, const Range& range, int side, int depth) {
+        const std::size_t own = nodes.size();
+        BinaryNode node{{vec3(range.box.low[0], range.box.low[1], range.box.low[2]),
+                         vec3(range.box.high[0], range.box.high[1], range.box.high[2])}};
+        if (range.count() <= lanes) {
+            for (std::size_t i = range.begin; i < range.end; ++i)
+                order[i] = shape_of(fragments[std::size_t(side)][i]);
+            node.first = std::uint32_t(range.begin);
+            node.count = std::uint32_t(range.count());
+            node.cost.fill(half_area(node.box));
+            nodes.push_back(node);
+            return;
+        }
+        nodes.push_back(node);
+        const auto [left, right] = cut(range, side, depth >= 48);
+        node.left = std::uint32_t(nodes.size());
+        node.right = build_both(nodes, left, right, 1 - side, depth + 1);
+        weigh(node, nodes[node.left], nodes[node.right]);
+        nodes[own] = node;
+    }
+
+    /// Appends both trees, large ones at the same time, and answers the number of the right one's root.
+    std::uint32_t build_both(std::vector<BinaryNode>& nodes, const Range& left, const Range& right, int side,
+                             int depth) {
+        if (left.count() + right.count() < std::max<std::size_t>(order.size() / 8, 8192)) {
+            build(nodes, left, side, depth);
+            const auto root = std::uint32_t(nodes.size());
+            build(nodes, right, side, depth);
+            return root;
+        }
+        std::vector<BinaryNode> others;
+        both([&] { build(nodes, left, side, depth); }, [&] { build(others, right, side, depth); });
+        const auto root = std::uint32_t(nodes.size());
+        for (BinaryNode& node : others) {
+            if (node.count == 0) {
+                node.left += root;
+                node.right += root;
+            }
+        }
+        nodes.insert(nodes.end(), others.begin(), others.end());
+        return root;
+    }
+};
+
+/// Folds a binary tree into wide nodes. `leaves` gets the binary leaves in the order of their blocks.
+struct Folding {
+    const std::vector<BinaryNode>& binary;
+    BigVector<WideNode>& nodes;
+    std::vector<std::uint32_t> leaves;
+
+    float size(std::uint32_t number) const { return half_area(binary[number].box); }
+
+    /// Small boxes first: of two that a shadow ray enters, the smaller one is likelier to be full.
+    void insert(std::uint32_t number, std::array<std::uint32_t, lanes>& children, std::size_t& count) const {
+        std::size_t place = count++;
+        for (; place > 0 && size(children[place - 1]) > size(number); --place)
+            children[place] = children[place - 1];
+        children[place] = number;
+    }
+
+    /// Which binary nodes become children of a wide one, if `number` has so many places.
+    void spread(std::uint32_t number, std::size_t places, std::array<std::uint32_t, lanes>& children,
+                std::size_t& count) const {
+        const BinaryNode& node = binary[number];
+        while (places > 1 && node.share[places - 1] == 0) --places;
+        if (places == 1 || node.count > 0) return insert(number, children, count);
+        spread(node.left, node.share[places - 1], children, count);
+        spread(node.right, places - node.share[places - 1], children, count);
+    }
+
+    /// Answers what a WideNode's `child` says of binary node `number`.
+    std::uint32_t fold(std::uint32_t number) {
+        const BinaryNode& node = binary[number];
+        if (node.count > 0) {
+            leaves.push_back(number);
+            return std::uint32_t(leaves.size() - 1) | block_bit;
+        }
+        std::array<std::uint32_t, lanes> children{};
+        std::size_t count = 0;
+        spread(node.left, node.share[0], children, count);
+        spread(node.right, lanes - node.share[0], children, count);
+        const auto own = std::uint32_t(nodes.size());
+        nodes.emplace_back();
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+            const Box box = lane < count ? binary[children[lane]].box : Box{};
+            for (int axis = 0; axis < 3; ++axis) {
+                nodes[own].planes[axis][0][lane] = box.low[axis];
+                nodes[own].planes[axis][1][lane] = box.high[axis];
+            }
+        }
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+            const std::uint32_t child = lane < count ? fold(children[lane]) : 0;
+            nodes[own].child[lane] = child;
+        }
+        return own;
+    }
+};
+
+/// The wide tree over shapes 0 to count - 1 (at most 2^30): bounds_of(i) is the box of shape i, and put_into(block,
+/// lane, i) writes it into a block. The same shapes give the same tree, on any number of threads.
+template <typename Block, typename BoundsOf, typename PutInto>
+WideBvh<Block> build_wide_bvh(std::size_t count, const BoundsOf& bounds_of, const PutInto& put_into) {
+    WideBvh<Block> bvh;
+    if (count == 0) return bvh;
+    std::vector<BinaryNode> binary;
+    BigVector<std::uint32_t> order;
+    {
+        BinaryBuilder builder;
+        for (auto& fragments : builder.fragments) fragments.resize(count);
+        builder.order.resize(count);
+        in_ranges(count, 4096, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                builder.fragments[0][i] = fragment(bounds_of(std::uint32_t(i)), std::uint32_t(i));
+        });
+        builder.build(binary, builder.whole(), 0, 0);
+        order = std::move(builder.order);
+    }
+    Folding folding{binary, bvh.nodes, {}};
+    bvh.root = folding.fold(0);
+    bvh.blocks.resize(folding.leaves.size());
+    in_ranges(bvh.blocks.size(), 512, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const BinaryNode& leaf = binary[folding.leaves[i]];
+            bvh.blocks[i] = Block{};
+            for (std::uint32_t k = 0; k < leaf.count; ++k)
+                put_into(bvh.blocks[i], int(k), order[leaf.first + k]);
+        }
+    });
+    return bvh;
+}
+
+} // namespace rt

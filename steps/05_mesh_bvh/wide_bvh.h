@@ -1,0 +1,211 @@
+// A tree for speed: eight boxes a node and eight shapes a leaf, tested at once. The same idea as in bvh.h; what is new
+// is how the numbers lie in memory.
+#pragma once
+
+#include "05_mesh_bvh/block.h"
+#include "05_mesh_bvh/row.h"
+#include "common/big_vector.h"
+#include "common/tally.h"
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <optional>
+
+namespace rt {
+
+/// Eight boxes, axis by axis, low planes before high ones; and what is in them: a node's number, or a block's with
+/// the highest bit set. An empty lane's box is inside out (low = infinity), so that no ray enters it.
+struct alignas(64) WideNode {
+    Row planes[3][2];
+    std::array<std::uint32_t, lanes> child;
+};
+
+inline constexpr std::uint32_t block_bit = 0x80000000;
+
+constexpr bool is_block(std::uint32_t child) {
+    return (child & block_bit) != 0;
+}
+
+/// `Block` is TriangleBlock or SphereBlock, or whatever has an intersect() like theirs.
+template <typename Block>
+struct WideBvh {
+    BigVector<WideNode> nodes;
+    BigVector<Block> blocks;
+    std::uint32_t root = 0; ///< like a child
+};
+
+/// A ray as the nodes want it. `near` tells which planes it meets first, as their distance in bytes from the node's
+/// begin: choosing rows once a ray is cheaper than swapping numbers once a box.
+struct WideRay {
+    Row origin[3];
+    Row inverse[3];     ///< 1 / direction; plus or minus infinity along an axis where the ray stands still
+    Row inverse_out[3]; ///< the same but for two roundings, as in entry() of box.h
+    std::uintptr_t near[3];
+    Row t_min;
+};
+
+inline WideRay wide_ray(const Ray& ray) {
+    WideRay wide;
+    for (int axis = 0; axis < 3; ++axis) {
+        const float inverse = 1 / ray.direction[axis];
+        wide.origin[axis] = row(ray.origin[axis]);
+        wide.inverse[axis] = row(inverse);
+        wide.inverse_out[axis] = row(inverse * (1 + 0x1p-21f));
+        wide.near[axis] = sizeof(Row) * std::size_t(2 * axis + (inverse >= 0 ? 0 : 1));
+    }
+    wide.t_min = row(ray.t_min);
+    return wide;
+}
+
+/// The slab test of box.h for eight boxes: which ones the ray enters, and at which t. A plane in which the ray lies
+/// gives NaN, and the order of the operands lets the other number through.
+inline unsigned enter(const WideNode& node, const WideRay& ray, Row t_max, Row& t) {
+    const auto plane = [](std::uintptr_t address) { return *reinterpret_cast<const Row*>(address); };
+    const auto begin = reinterpret_cast<std::uintptr_t>(&node);
+    const std::uintptr_t x = begin + ray.near[0], y = begin + ray.near[1], z = begin + ray.near[2];
+    const std::uintptr_t other = sizeof(Row); // low and high planes lie side by side: one bit of the address
+    const Row in_x = (plane(x) - ray.origin[0]) * ray.inverse[0];
+    const Row in_y = (plane(y) - ray.origin[1]) * ray.inverse[1];
+    const Row in_z = (plane(z) - ray.origin[2]) * ray.inverse[2];
+    const Row out_x = (plane(x ^ other) - ray.origin[0]) * ray.inverse_out[0];
+    const Row out_y = (plane(y ^ other) - ray.origin[1]) * ray.inverse_out[1];
+    const Row out_z = (plane(z ^ other) - ray.origin[2]) * ray.inverse_out[2];
+    t = greatest(in_x, greatest(in_y, greatest(in_z, ray.t_min)));
+    return bits(t <= least(out_x, least(out_y, least(out_z, t_max))));
+}
+
+/// Starts fetching what a child refers to: by the time it is its turn, it is there.
+template <typename Block>
+void prefetch(const WideBvh<Block>& bvh, std::uint32_t child) {
+    const char* const begin = is_block(child) ? reinterpret_cast<const char*>(&bvh.blocks[child ^ block_bit])
+                                              : reinterpret_cast<const char*>(&bvh.nodes[child]);
+    for (int line = 0; line < 5; ++line) __builtin_prefetch(begin + 64 * line);
+}
+
+/// Takes the lowest bit out of `mask` and answers its number.
+inline std::size_t next_lane(unsigned& mask) {
+    const int lane = std::countr_zero(mask);
+    mask &= mask - 1;
+    return std::size_t(lane);
+}
+
+/// No path down a tree is longer: 48 levels of cuts and 28 of halving.
+inline constexpr std::size_t wide_depth = 80;
+
+/// What a ray has entered and not yet visited. Every node leaves at most seven children behind.
+struct Waiting {
+    struct Entry {
+        std::uint32_t child;
+        float t;
+    };
+    std::array<Entry, 7 * wide_depth> entries;
+    std::size_t size = 0;
+
+    /// Puts the entry below those from `begin` on that are nearer.
+    void insert(std::size_t begin, Entry entry) {
+        std::size_t place = size++;
+        for (; place > begin && entries[place - 1].t < entry.t; --place) entries[place] = entries[place - 1];
+        entries[place] = entry;
+    }
+};
+
+/// Goes down from `child` to a block, always to the nearest box; the others that the ray enters wait. False if a
+/// node is reached of which it enters none.
+template <typename Block>
+bool descend(const WideBvh<Block>& bvh, const WideRay& ray, Row t_max, Waiting& waiting,
+             std::uint32_t& child) {
+    while (!is_block(child)) {
+        const WideNode& node = bvh.nodes[child];
+        tally.box_tests += lanes;
+        Row t_in;
+        unsigned entered = enter(node, ray, t_max, t_in);
+        if (entered == 0) return false;
+        const std::size_t first = next_lane(entered);
+        child = node.child[first];
+        if (entered == 0) continue;
+        const auto t = std::bit_cast<std::array<float, lanes>>(t_in);
+        Waiting::Entry nearest{child, t[first]};
+        for (const std::size_t begin = waiting.size; entered != 0;) {
+            const std::size_t lane = next_lane(entered);
+            Waiting::Entry entry{node.child[lane], t[lane]};
+            prefetch(bvh, entry.child);
+            if (entry.t < nearest.t) std::swap(entry, nearest);
+            waiting.insert(begin, entry);
+        }
+        child = nearest.child;
+    }
+    return true;
+}
+
+/// What a search keeps of a hit: u and v weigh a triangle's second and third corner.
+struct BlockHit {
+    float t, u, v;
+    std::uint32_t shape;
+};
+
+/// The nearest shape that the ray meets.
+template <typename Block>
+std::optional<BlockHit> nearest(const WideBvh<Block>& bvh, const Ray& ray) {
+    if (bvh.blocks.empty()) return std::nullopt;
+    const WideRay wide = wide_ray(ray);
+    const BlockRay narrow = block_ray(ray);
+    BlockHit best{ray.t_max, 0, 0, no_shape};
+    Row t_max = row(ray.t_max);
+    Waiting waiting;
+    std::uint32_t child = bvh.root;
+    while (true) {
+        if (descend(bvh, wide, t_max, waiting, child)) {
+            const Block& block = bvh.blocks[child ^ block_bit];
+            tally.triangle_tests += lanes;
+            const BlockHits hits = intersect(block, narrow, wide.t_min, t_max);
+            for (unsigned hit = bits(hits.hit); hit != 0;) {
+                const std::size_t lane = next_lane(hit);
+                if (hits.t[lane] < best.t)
+                    best = {hits.t[lane], hits.u[lane], hits.v[lane], block.shape[lane]};
+            }
+            t_max = row(best.t);
+        }
+        do {
+            if (waiting.size == 0) return best.shape == no_shape ? std::nullopt : std::optional(best);
+            --waiting.size;
+        } while (waiting.entries[waiting.size].t > best.t);
+        child = waiting.entries[waiting.size].child;
+    }
+}
+
+/// Whether the ray meets any shape at all. It need not know which child is nearer, so what waits of a node is a set
+/// of lanes.
+template <typename Block>
+bool any_hit(const WideBvh<Block>& bvh, const Ray& ray) {
+    struct Entry {
+        const WideNode* node;
+        unsigned entered;
+    };
+    std::array<Entry, wide_depth> waiting;
+    std::size_t size = 0;
+    if (bvh.blocks.empty()) return false;
+    const WideRay wide = wide_ray(ray);
+    const BlockRay narrow = block_ray(ray);
+    const Row t_max = row(ray.t_max);
+    std::uint32_t child = bvh.root;
+    while (true) {
+        if (is_block(child)) {
+            tally.triangle_tests += lanes;
+            const BlockHits hits = intersect(bvh.blocks[child ^ block_bit], narrow, wide.t_min, t_max);
+            if (bits(hits.hit) != 0) return true;
+        } else {
+            tally.box_tests += lanes;
+            Row t;
+            const WideNode& node = bvh.nodes[child];
+            const unsigned entered = enter(node, wide, t_max, t);
+            if (entered != 0) waiting[size++] = {&node, entered};
+        }
+        if (size == 0) return false;
+        Entry& top = waiting[size - 1];
+        child = top.node->child[next_lane(top.entered)];
+        if (top.entered == 0) --size;
+    }
+}
+
+} // namespace rt
