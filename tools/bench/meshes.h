@@ -148,14 +148,15 @@ inline void furnish(Subject& subject, const Box& room) {
     subject.light_corner = top - (subject.light_u + subject.light_v) / 2.0f;
 }
 
-/// About `triangles` of them, in side^3 knots, of which each fills a cell of 1 m. The same on every run.
+/// About `triangles` of them: eight knots, each in a cell of 1 m, the same shapes however finely they are cut. The same
+/// on every run.
 inline Subject knot_field(const std::string& name, int triangles) {
     Subject subject;
     subject.name = name;
-    const int side = std::max(1, int(std::lround(std::log10(double(triangles)))) - 2);
+    const int side = 2;
     const double quads = std::max(24.0, (double(triangles) - 12) / 2 / (side * side * side));
-    const int segments = std::max(8, int(std::lround(std::sqrt(16 * quads))));
-    const int sides = std::max(3, int(std::lround(quads / segments)));
+    const int sides = std::max(3, int(std::lround(std::sqrt(quads / 16))));
+    const int segments = std::max(8, int(std::lround(quads / sides)));
     reserve(subject.mesh, std::size_t(2 * segments * sides * side * side * side));
     constexpr std::array<Knot, 5> knots{{{2, 3}, {3, 2}, {2, 5}, {3, 4}, {1, 4}}};
     Random random(1);
