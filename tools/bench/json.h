@@ -1,15 +1,15 @@
 // Just enough JSON to write a report.
 #pragma once
 
+#include "common/file_bytes.h"
+
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
-#include <fstream>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
-
-#include "common/error.h"
 
 namespace rt::bench {
 
@@ -51,11 +51,14 @@ inline std::string array(const std::vector<std::string>& elements) {
     return out + (elements.empty() ? "]" : "\n]");
 }
 
-/// Throws Error if the file takes it not. An empty path is no file.
+/// What a program was asked to write; an empty path is no file. Throws Error.
 inline void write_text(const std::string& path, const std::string& text) {
-    if (path.empty()) return;
-    std::ofstream file(path);
-    if (!(file << text << "\n").flush()) throw Error("cannot write " + path + ": does its folder exist?");
+    if (!path.empty()) write_file(path, text + "\n");
+}
+
+/// Throws Error if write_text could not: better before the work than after it.
+inline void check_text(const std::string& path) {
+    if (!path.empty()) check_file_writable(path);
 }
 
 } // namespace rt::bench

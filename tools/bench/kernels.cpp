@@ -10,7 +10,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include <array>
+#include <iostream>
 #include <vector>
 
 namespace rt::bench {
@@ -114,4 +114,12 @@ BENCHMARK(tree_build)->Name("tree of triangles")->Arg(10'000)->Arg(100'000)->Uni
 
 } // namespace rt::bench
 
-BENCHMARK_MAIN();
+int main(int argc, char** argv) {
+    benchmark::Initialize(&argc, argv);
+    if (argc > 1) {
+        std::cerr << "bench_kernels: " << argv[1] << " is not known; --help says what is\n";
+        return 2;
+    }
+    benchmark::RunSpecifiedBenchmarks();
+    benchmark::Shutdown();
+}

@@ -85,7 +85,7 @@ std::string measure(const std::string& step, const Wish& wish) {
     std::istringstream line = line_of(watched.text, "shares");
     for (double& share : shares) line >> share;
     line >> samples;
-    const double mrays = rays / median(seconds) * 1e-6;
+    const double mrays = median(seconds) > 0 ? rays / median(seconds) * 1e-6 : unknown;
     std::printf(
         "%-15s %7.2f s, render %7.2f s, %7.2f Mrays/s; one thread: scene %4.1f %%, build %4.1f %%, traversal "
         "%4.1f %%, shading %4.1f %%\n",
@@ -110,7 +110,7 @@ void run(Wish wish) {
         for (std::string step; all >> step;) wish.steps.push_back(step);
     }
     if (wish.quick) wish.rounds = 1;
-    write_text(wish.json, "{}"); // better now than after the work
+    check_text(wish.json);
     std::vector<std::string> renders;
     for (const std::string& step : wish.steps) renders.push_back(measure(step, wish));
     write_text(wish.json, object({{"renders", array(renders)}}));

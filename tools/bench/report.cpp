@@ -211,7 +211,7 @@ LogPlot sides_plot(const Json& json, const std::string& title, const std::string
         plot.curves.push_back(
             curve(json, "build", "", [&](const Json& one) { return scale * value(one, curves[i].second); }));
         plot.curves.back().name = curves[i].first;
-        plot.curves.back().colour = int(i);
+        plot.curves.back().colour = int(i % (curves.size() / 2)); // of a quantity, for both sides
         plot.curves.back().dashed = curves[i].first.starts_with("Embree");
     }
     return plot;
@@ -276,15 +276,24 @@ void add_renders(Report& report, const Json& json) {
 
 // ---- kernels, and whatever else is a list ----
 
+/// Three digits, and the unit that suits.
+std::string duration(double nanoseconds) {
+    if (!(nanoseconds >= 0)) return "-";
+    const bool large = nanoseconds >= 1e5;
+    const double value = large ? nanoseconds * 1e-6 : nanoseconds;
+    return fixed(value, value < 10 ? 2 : value < 100 ? 1 : 0) + (large ? " ms" : " ns");
+}
+
 void add_kernels(Report& report, const Json& json) {
-    Table table{{"kernel", "ns a call", "million items/s"}, {}};
+    Table table{{"kernel", "time a call", "million items/s"}, {}};
     for (const Json& one : field(json, "benchmarks").list) {
         const std::string unit = text_of(one, "time_unit");
         const double scale = unit == "ms" ? 1e6 : unit == "us" ? 1e3 : unit == "s" ? 1e9 : 1;
-        table.rows.push_back({text_of(one, "name"), fixed(scale * value(one, "cpu_time"), 1),
+        table.rows.push_back({text_of(one, "name"), duration(scale * value(one, "cpu_time")),
                               fixed(1e-6 * value(one, "items_per_second"), 1)});
     }
-    report.text += "## Kernels\n\nEach alone, its data in the cache.\n\n" + markdown(table, 1);
+    report.text += "## Kernels\n\nEach alone, its data in the cache. A tree's items are triangles.\n\n" +
+                   markdown(table, 1);
 }
 
 Table any_table(const std::vector<Json>& list) {

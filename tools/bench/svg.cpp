@@ -3,6 +3,7 @@
 #include "tools/bench/svg.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 
@@ -31,28 +32,44 @@ std::string words(double x, double y, const char* anchor, const std::string& sty
            escaped(text) + "</text>\n";
 }
 
-/// The six colours keep their distance from each other, and from the page, on both grounds.
+struct Palette {
+    const char *page, *ink, *pale, *grid;
+    std::array<const char*, 6> marks;
+};
+
+constexpr Palette light{"#ffffff",
+                        "#1f2429",
+                        "#5d6770",
+                        "#e3e7ea",
+                        {"#0a6aa1", "#cf4520", "#24895a", "#8250b4", "#b17a00", "#69737b"}};
+constexpr Palette dark{"#15191d",
+                       "#e9edf0",
+                       "#a3adb5",
+                       "#2c333a",
+                       {"#5cb8ee", "#ff8a66", "#62cf97", "#c4a0f2", "#ebbb52", "#a9b3bb"}};
+
+/// s0 to s5 for lines, f0 to f5 for areas.
+std::string colours(const Palette& palette) {
+    std::string out = format(".page, text.on { fill: %s; }\ntext { fill: %s; }\ntext.pale { fill: %s; }\n",
+                             palette.page, palette.ink, palette.pale) +
+                      format(".grid { stroke: %s; }\n.axis { stroke: %s; }\n.reference { stroke: %s; }\n",
+                             palette.grid, palette.pale, palette.ink);
+    for (std::size_t i = 0; i < palette.marks.size(); ++i)
+        out += format(".s%d { stroke: %s; } .f%d { fill: %s; }\n", int(i), palette.marks[i], int(i),
+                      palette.marks[i]);
+    return out;
+}
+
 std::string page(double height, const std::string& title, const std::string& content) {
     return format(
                "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 %.0f %.0f' width='%.0f' height='%.0f' "
                "font-family='system-ui, sans-serif' font-size='13'>\n",
                width, height, width, height) +
-           "<style>\n"
-           ":root { --page: #ffffff; --ink: #1f2429; --pale: #5d6770; --grid: #e3e7ea;\n"
-           "  --c0: #0a6aa1; --c1: #cf4520; --c2: #24895a; --c3: #8250b4; --c4: #b17a00; --c5: #69737b; }\n"
-           "@media (prefers-color-scheme: dark) { :root { --page: #15191d; --ink: #e9edf0; --pale: #a3adb5;\n"
-           "  --grid: #2c333a; --c0: #5cb8ee; --c1: #ff8a66; --c2: #62cf97; --c3: #c4a0f2; --c4: #ebbb52;\n"
-           "  --c5: #a9b3bb; } }\n"
-           ".page { fill: var(--page); } text { fill: var(--ink); } .pale { fill: var(--pale); }\n"
-           ".title { font-size: 17px; font-weight: 600; } .grid { stroke: var(--grid); }\n"
-           ".axis { stroke: var(--pale); } .reference { stroke: var(--ink); stroke-dasharray: 2 4; }\n"
-           ".curve { fill: none; stroke-width: 2.2; stroke-linejoin: round; } .dashed { stroke-dasharray: 7 "
+           "<style>\n" + colours(light) + "@media (prefers-color-scheme: dark) {\n" + colours(dark) +
+           "}\n.title { font-size: 17px; font-weight: 600; }\n.on { font-size: 12px; }\n"
+           ".reference { stroke-dasharray: 2 4; }\n"
+           ".curve { fill: none; stroke-width: 2.2; stroke-linejoin: round; }\n.dashed { stroke-dasharray: 7 "
            "5; }\n"
-           ".s0 { stroke: var(--c0); } .s1 { stroke: var(--c1); } .s2 { stroke: var(--c2); }\n"
-           ".s3 { stroke: var(--c3); } .s4 { stroke: var(--c4); } .s5 { stroke: var(--c5); }\n"
-           ".f0 { fill: var(--c0); } .f1 { fill: var(--c1); } .f2 { fill: var(--c2); }\n"
-           ".f3 { fill: var(--c3); } .f4 { fill: var(--c4); } .f5 { fill: var(--c5); }\n"
-           ".on { fill: var(--page); font-size: 12px; }\n"
            "</style>\n" +
            format("<rect class='page' width='%.0f' height='%.0f' rx='6'/>\n", width, height) +
            words(24, 34, "start", "title", title) + content + "</svg>\n";
@@ -68,7 +85,7 @@ struct Key {
 double legend(std::string& content, const std::vector<Key>& keys, double y) {
     double x = 24;
     for (const Key& key : keys) {
-        const double wide = 42 + 7.1 * double(key.name.size());
+        const double wide = 48 + 7.4 * double(key.name.size());
         if (x + wide > width - 16) {
             x = 24;
             y += 20;
@@ -110,14 +127,16 @@ LogAxis log_axis(const std::vector<double>& values, double from, double to) {
     return {least / 1.25, most * 1.25, from, to};
 }
 
-/// Powers of ten, with their doubles and fives where the axis spans few of them.
+/// Powers of ten, with as many round numbers between them as the axis has room for.
 std::vector<double> ticks(const LogAxis& axis) {
     const double decades = std::log10(axis.high / axis.low);
+    const std::vector<double> factors = decades > 2.6   ? std::vector<double>{1}
+                                        : decades > 0.9 ? std::vector<double>{1, 2, 5}
+                                                        : std::vector<double>{1, 1.5, 2, 3, 4, 5, 6, 8};
     std::vector<double> result;
     for (double power = std::pow(10, std::floor(std::log10(axis.low))); power <= axis.high; power *= 10)
-        for (const double factor : {1.0, 2.0, 5.0})
-            if ((factor == 1 || decades < 2.6) && power * factor >= axis.low && power * factor <= axis.high)
-                result.push_back(power * factor);
+        for (const double factor : factors)
+            if (power * factor >= axis.low && power * factor <= axis.high) result.push_back(power * factor);
     return result;
 }
 
