@@ -80,7 +80,7 @@ inline vec3 turned(const Placement& place, vec3 v) {
 /// A tube round a knot, of 2 segments * sides triangles.
 inline void add_knot(Mesh& mesh, const Knot& knot, const Placement& place, float scale, int segments,
                      int sides) {
-    const float thickness = 0.32f;
+    const float thickness = 0.28f;
     const auto begin = std::uint32_t(mesh.positions.size());
     for (int i = 0; i < segments; ++i) {
         const float phi = 2 * pi * float(i) / float(segments);
@@ -97,8 +97,8 @@ inline void add_knot(Mesh& mesh, const Knot& knot, const Placement& place, float
     const auto number = [&](int i, int j) { return begin + std::uint32_t(i % segments * sides + j % sides); };
     for (int i = 0; i < segments; ++i) {
         for (int j = 0; j < sides; ++j) {
-            add_triangle(mesh, number(i, j), number(i + 1, j), number(i + 1, j + 1));
-            add_triangle(mesh, number(i, j), number(i + 1, j + 1), number(i, j + 1));
+            add_triangle(mesh, number(i, j), number(i + 1, j + 1), number(i + 1, j));
+            add_triangle(mesh, number(i, j), number(i, j + 1), number(i + 1, j + 1));
         }
     }
 }
@@ -163,12 +163,12 @@ inline Subject knot_field(const std::string& name, int triangles) {
     for (int i = 0; i < side * side * side; ++i) {
         const vec3 cell(i % side, i / side % side, i / (side * side));
         const Placement place = random_placement(random, cell + 0.5f);
-        add_knot(subject.mesh, knots[std::size_t(i) % knots.size()], place, 0.47f / 3.32f, segments, sides);
+        add_knot(subject.mesh, knots[std::size_t(i) % knots.size()], place, 0.49f / 3.28f, segments, sides);
     }
     const float s = float(side);
     furnish(subject, {vec3(-0.3f, -0.1f, -0.3f), vec3(s + 0.3f, s + 0.2f, s + 0.9f)});
     subject.pose = {
-        .from = {0.55f * s, 0.6f * s, s + 0.8f}, .at = {0.5f * s, 0.45f * s, 0.5f * s}, .fov = 65};
+        .from = {0.2f * s, 0.7f * s, s + 0.8f}, .at = {0.55f * s, 0.42f * s, 0.4f * s}, .fov = 55};
     return subject;
 }
 
