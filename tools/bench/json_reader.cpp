@@ -77,9 +77,9 @@ class Reader {
         if (take("}")) return json;
         do {
             demand("\"");
-            std::string name = rest_of_text();
+            json.names.push_back(rest_of_text());
             demand(":");
-            json.fields.emplace_back(std::move(name), value(depth + 1));
+            json.list.push_back(value(depth + 1));
         } while (take(","));
         demand("}");
         return json;
@@ -113,8 +113,8 @@ Json parse_json(std::string_view text) {
 
 const Json& field(const Json& object, std::string_view name) {
     static const Json null;
-    for (const auto& [key, value] : object.fields)
-        if (key == name) return value;
+    for (std::size_t i = 0; i < object.names.size(); ++i)
+        if (object.names[i] == name) return object.list[i];
     return null;
 }
 

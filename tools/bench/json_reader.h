@@ -3,7 +3,6 @@
 
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace rt::bench {
@@ -14,8 +13,8 @@ struct Json {
     Kind kind = Kind::null;
     double number = 0; ///< 1 and 0 for true and false
     std::string text;
-    std::vector<Json> list;
-    std::vector<std::pair<std::string, Json>> fields;
+    std::vector<std::string> names; ///< of the fields
+    std::vector<Json> list;         ///< the elements, or the values of the fields
 };
 
 /// Throws Error, with the place, if this is not JSON.

@@ -298,7 +298,7 @@ void add_kernels(Report& report, const Json& json) {
 
 Table any_table(const std::vector<Json>& list) {
     Table table;
-    for (const auto& [name, one] : list[0].fields) table.head.push_back(name);
+    table.head = list[0].names;
     for (const Json& row : list) {
         table.rows.emplace_back();
         for (const std::string& name : table.head) table.rows.back().push_back(cell(field(row, name)));
@@ -311,7 +311,7 @@ LogPlot error_plot(const std::vector<Json>& list) {
     LogPlot plot{"Error over time", "seconds", "error", {}};
     for (const Json& row : list) {
         std::string name;
-        for (const auto& [key, one] : row.fields)
+        for (const Json& one : row.list)
             if (one.kind == Json::Kind::text) name += (name.empty() ? "" : ", ") + one.text;
         auto curve = std::ranges::find(plot.curves, name, &Curve::name);
         if (curve == plot.curves.end())
@@ -325,13 +325,14 @@ LogPlot error_plot(const std::vector<Json>& list) {
 
 void add_any(Report& report, const std::string& name, const std::string& title, const Json& json) {
     report.text += "## " + title + "\n\n";
-    for (const auto& [key, one] : json.fields) {
-        const std::vector<Json> rows = one.kind == Json::Kind::fields ? std::vector<Json>{one} : one.list;
-        if (rows.empty() || rows[0].fields.empty()) continue;
+    for (std::size_t i = 0; i < json.names.size(); ++i) {
+        const Json& one = json.list[i];
+        const std::vector<Json> rows = one.kind == Json::Kind::fields ? std::vector<Json>(1, one) : one.list;
+        if (rows.empty() || rows[0].names.empty()) continue;
         report.text += markdown(any_table(rows), 0);
         const bool errors =
             std::isfinite(value(rows[0], "seconds")) && std::isfinite(value(rows[0], "error"));
-        if (errors) report.plot(name + "_" + key + ".svg", error_plot(rows));
+        if (errors) report.plot(name + "_" + json.names[i] + ".svg", error_plot(rows));
     }
 }
 

@@ -189,17 +189,27 @@ void print(const char* pattern, auto... values) {
     std::fflush(stdout);
 }
 
+/// A dash for what was not measured.
+std::string shown(const char* pattern, double value) {
+    if (!std::isfinite(value)) return "-";
+    char text[64];
+    std::snprintf(text, sizeof text, pattern, value);
+    return text;
+}
+
 void add_build(Report& report, const Subject& subject, int threads, const Build& build) {
     const auto triangles = double(subject.mesh.triangles.size());
     const auto each = [&](double bytes) { return number(bytes / triangles); };
     const auto mesh = double(mesh_bytes(subject.mesh));
-    print("%-6s %9.0f  %-8s %d thread%s  ours %8.1f ms, Embree %8.1f ms, ours/Embree %5.2f   bytes a "
-          "triangle: ours "
-          "%.1f (peak %.1f), mesh %.1f, Embree %.1f (peak %.1f)\n",
+    print("%-6s %9.0f  %-8s %d thread%s  ours %8.1f ms, Embree %s ms, ours/Embree %s   bytes a triangle: "
+          "ours %.1f "
+          "(peak %.1f), mesh %.1f, Embree %s (peak %s)\n",
           subject.name.c_str(), triangles, "build", threads, threads > 1 ? "s" : " ",
-          1e3 * build.ours_seconds, 1e3 * build.embree_seconds, build.ours_seconds / build.embree_seconds,
+          1e3 * build.ours_seconds, shown("%8.1f", 1e3 * build.embree_seconds).c_str(),
+          shown("%5.2f", build.ours_seconds / build.embree_seconds).c_str(),
           double(build.ours_bytes) / triangles, double(build.ours_peak) / triangles, mesh / triangles,
-          build.embree_bytes / triangles, build.embree_peak / triangles);
+          shown("%.1f", build.embree_bytes / triangles).c_str(),
+          shown("%.1f", build.embree_peak / triangles).c_str());
     report.builds.push_back(object({{"mesh", json_text(subject.name)},
                                     {"triangles", number(std::int64_t(triangles))},
                                     {"threads", number(std::int64_t(threads))},
@@ -217,11 +227,11 @@ void add_case(Report& report, const Subject& subject, const std::string& rays, i
               const Case& result) {
     const auto triangles = std::int64_t(subject.mesh.triangles.size());
     const Agreement& a = result.agreement;
-    print(
-        "%-6s %9lld  %-8s %d thread%s  ours %8.2f, Embree %8.2f Mrays/s, ratio %5.2f   %lld of %lld disagree",
-        subject.name.c_str(), static_cast<long long>(triangles), rays.c_str(), threads,
-        threads > 1 ? "s" : " ", result.ours_mrays, result.embree_mrays, result.ratio,
-        static_cast<long long>(disagreements(a)), static_cast<long long>(a.rays));
+    print("%-6s %9lld  %-8s %d thread%s  ours %8.2f, Embree %s Mrays/s, ratio %s   %lld of %lld disagree",
+          subject.name.c_str(), static_cast<long long>(triangles), rays.c_str(), threads,
+          threads > 1 ? "s" : " ", result.ours_mrays, shown("%8.2f", result.embree_mrays).c_str(),
+          shown("%5.2f", result.ratio).c_str(), static_cast<long long>(disagreements(a)),
+          static_cast<long long>(a.rays));
     if (disagreements(a) > 0)
         print(" (only ours hits %d, only Embree %d, ours nearer %d, Embree nearer %d; of %d judged ours "
               "right %d, "
