@@ -1,0 +1,32 @@
+#!/usr/bin/env bash
+# What ./learn bench says to wrong words: one line, exit 2, before anything is built or written.
+# bench.sh LEARN: exit 0 if it does.
+set -u
+
+learn=$1
+bad=0
+
+refuses() { # $1: what the line says; the rest: the words
+    local part=$1 said code
+    shift
+    said=$("$learn" bench "$@" 2>&1)
+    code=$?
+    if [ $code != 2 ] || [ "$(printf '%s\n' "$said" | wc -l)" != 1 ] || [[ $said != *"$part"* ]]; then
+        echo "./learn bench $*: expected exit 2 and one line with '$part', got exit $code and: $said"
+        bad=1
+    fi
+}
+
+refuses "there is no benchmark 'travelsal'" travelsal
+refuses "does not know '--fast'" --fast
+refuses "does not know 'extra'" all extra
+refuses "--json wants a name" traversal --json
+refuses "--out wants a name" --out
+refuses "cannot write" --json /nowhere/at/all.json
+refuses "cannot write" --json /
+refuses "cannot make the folder" --out /dev/null/report
+"$learn" --help | grep -q "learn bench" || {
+    echo "./learn --help does not name bench"
+    bad=1
+}
+exit $bad
