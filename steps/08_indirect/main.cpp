@@ -1,9 +1,9 @@
 // Step 08 asks: where does all the light come from?
 #include "01_spheres/view.h"
 #include "05_mesh_bvh/stage.h"
-#include "06_textures/scene.h"
 #include "07_antialias/filter.h"
 #include "08_indirect/radiance.h"
+#include "08_indirect/scene.h"
 #include "common/paths.h"
 #include "common/program.h"
 
@@ -60,8 +60,12 @@ int main(int argc, char** argv) {
     const int& depth = options.knob("depth", 5, 0, 1000, "bounces of a path; the light beyond is left out");
     const bool& no_indirect =
         options.flag("no-indirect", "matte surfaces see lamps and sky, but not each other");
-    const bool& no_light_sampling = options.flag(
-        "no-light-sampling", "lamps count only where a path happens to hit them: same picture, more noise");
+    const auto direct =
+        options.choice("direct", {"mis", "lights", "bounces"}, Direct::mis,
+                       "how a path looks for lamps: by asking them, by running into them, or by "
+                       "both, each where it is good (mis): same picture, different noise");
+    const auto spread = options.choice("bounce", {"cosine", "uniform"}, Spread::cosine,
+                                       "how bounces are spread: same picture, different noise");
     const bool& no_roulette =
         options.flag("no-roulette", "every path runs its full length: same picture, slower");
     const auto view = view_knob(options);
@@ -77,7 +81,7 @@ int main(int argc, char** argv) {
                                                                  : furnace(scene));
         prepare(scene);
         const AreaLights lights = area_lights(scene);
-        const Transport transport{depth, !no_indirect, !no_light_sampling, !no_roulette};
+        const Transport transport{depth, !no_indirect, direct, !no_roulette, spread};
         const Camera camera = make_camera(pose, width, height);
         render([&](Sample& sample) {
             const vec2 point = picture_point(sample, pattern, filter, filter_width);
