@@ -18,6 +18,7 @@ struct Sample {
     int index = 0;             ///< 0 to count - 1
     int count = 1;             ///< samples a pixel
     Random random{0, 0, 0, 0}; ///< numbers that no other sample gets
+    std::uint64_t seed = 0;    ///< of the picture, for numbers that the samples of a pixel share
 };
 
 /// From a sample to the radiance that it sees. Called from many threads at once; must depend on nothing but

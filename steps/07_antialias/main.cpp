@@ -49,8 +49,7 @@ Pose test_chart(Scene& scene) {
 int main(int argc, char** argv) {
     Options options("07_antialias", "What is a pixel?", {.width = 640, .height = 400, .samples = 64});
     const ModelKnobs model(options);
-    const auto pattern = options.choice("pattern", {"random", "stratified"}, Pattern::stratified,
-                                        "how the samples of a pixel are spread: anywhere, or one a cell");
+    const auto sampler_kind = sampler_knob(options);
     const auto filter = options.choice("filter", {"box", "tent", "gaussian"}, Filter::gaussian,
                                        "how a pixel weighs the light around its middle");
     const float& filter_width = options.knob(
@@ -71,7 +70,8 @@ int main(int argc, char** argv) {
         prepare(scene);
         const Camera camera = make_camera(pose, width, height);
         render([&](Sample& sample) {
-            const vec2 point = picture_point(sample, pattern, filter, filter_width);
+            Sampler sampler(sampler_kind, sample);
+            const vec2 point = picture_point(sample, sampler, filter, filter_width);
             const Ray ray = camera_ray(camera, point);
             if (view == View::light) return radiance(scene, ray, depth);
             return what_is_hit(scene, ray, view, distance(pose.from, pose.at));

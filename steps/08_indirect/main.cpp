@@ -51,8 +51,7 @@ int main(int argc, char** argv) {
                                      "which must not be seen");
     const auto accel = options.choice("accel", {"brute", "bvh"}, Accel::bvh,
                                       "how a ray finds what it meets: ask every triangle, or descend a tree");
-    const auto pattern = options.choice("pattern", {"random", "stratified"}, Pattern::stratified,
-                                        "how the samples of a pixel are spread: anywhere, or one a cell");
+    const auto sampler_kind = sampler_knob(options);
     const auto filter = options.choice("filter", {"box", "tent", "gaussian"}, Filter::gaussian,
                                        "how a pixel weighs the light around its middle");
     const float& filter_width = options.knob(
@@ -84,9 +83,11 @@ int main(int argc, char** argv) {
         const Transport transport{depth, !no_indirect, direct, !no_roulette, spread};
         const Camera camera = make_camera(pose, width, height);
         render([&](Sample& sample) {
-            const vec2 point = picture_point(sample, pattern, filter, filter_width);
+            Sampler sampler(sampler_kind, sample);
+            const vec2 point = picture_point(sample, sampler, filter, filter_width);
             const Ray ray = camera_ray(camera, point);
-            if (view == View::light) return radiance(scene, lights, transport, ray, sample.random);
+            Random path(sample.random.bits());
+            if (view == View::light) return radiance(scene, lights, transport, ray, path);
             return what_is_hit(scene, ray, view, distance(pose.from, pose.at));
         });
     });
