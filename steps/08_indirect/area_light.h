@@ -107,11 +107,14 @@ AreaLights area_lights(const S& scene) {
     return lights;
 }
 
-/// A point of one of the lights. Picked by power and then evenly, it has the density luminance(emission) / power
-/// over the area of all lights, whichever light it lies on. `pick` and u are uniform in [0, 1).
-inline LightPoint light_point(const AreaLights& lights, float pick, vec2 u) {
-    const auto chosen = std::ranges::upper_bound(lights.cumulative, pick);
+/// A point of one of the lights, u in [0, 1)^2. Picked by power and then evenly, it has the density
+/// luminance(emission) / power over the area of all lights, whichever light it lies on.
+inline LightPoint light_point(const AreaLights& lights, vec2 u) {
+    const auto chosen = std::ranges::upper_bound(lights.cumulative, u.x);
     const auto index = std::min(std::size_t(chosen - lights.cumulative.begin()), lights.list.size() - 1);
+    const float below = index > 0 ? lights.cumulative[index - 1] : 0;
+    u.x = (u.x - below) / (lights.cumulative[index] - below); // what the choice leaves is uniform again
+    u.x = glm::clamp(u.x, 0.0f, 0x1.fffffep-1f);
     const AreaLight& light = lights.list[index];
     LightPoint point = match(light.shape, [&](const auto& shape) { return light_point(shape, u); });
     point.emission = light.emission;
@@ -144,8 +147,7 @@ template <CastsShadows S, UniformSource Source>
 vec3 area_light(const S& scene, const AreaLights& lights, const Hit& hit, Source& source,
                 vec3 absorption = vec3(0), std::optional<Spread> rivals = std::nullopt) {
     if (lights.list.empty()) return vec3(0);
-    const float pick = source.uniform();
-    const LightPoint point = light_point(lights, pick, source.uniform2());
+    const LightPoint point = light_point(lights, source.uniform2());
     //> the light over its density, times the cosine and the share, if nothing stands between
     const vec3 way = point.position - hit.position;
     const float distance = length(way);
@@ -157,7 +159,8 @@ vec3 area_light(const S& scene, const AreaLights& lights, const Hit& hit, Source
     const float side = light_cosine < 0 ? 1.0f : -1.0f; // stop just before the light itself
     const vec3 before = side * position_error(hit.position, point.position) * point.normal;
     if (occluded(scene, segment_to(hit, point.position + before))) return vec3(0);
-    return point.emission * (cosine * weight / density) * transmittance(absorption, distance);
+    const vec3 arriving = point.emission * (cosine * weight / density);
+    return absorption == vec3(0) ? arriving : arriving * transmittance(absorption, distance);
     //< return vec3(0);
 }
 

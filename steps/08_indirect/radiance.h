@@ -37,10 +37,15 @@ struct Specular {
 /// What the surface does with a path: it is matte, or it sends the path on. Where light has two ways, chance
 /// picks one in proportion to its share, so that the weight is the same for both.
 template <CastsShadows S, UniformSource Source>
-std::variant<Diffuse, Specular> meet(const S& scene, const Ray& ray, const Hit& hit, int material,
-                                     vec3 absorption, Source& source) {
+std::variant<Diffuse, Specular> meet(const S& scene, const Ray& ray, const Hit& hit, vec3 absorption,
+                                     Source& source) {
     using Result = std::variant<Diffuse, Specular>;
     const auto mirrored = [&](vec3 tint) { return Specular{mirror_ray(ray, hit), tint, absorption}; };
+    int material = hit.material;
+    while (const auto* coat = std::get_if<Reflective>(&scene.materials[std::size_t(material)])) {
+        if (source.uniform() < coat->reflectivity) return mirrored(coat->tint);
+        material = coat->base;
+    }
     return match(
         scene.materials[std::size_t(material)], [&](const Diffuse& diffuse) -> Result { return diffuse; },
         [&](const Checker& checker) -> Result { return at(checker, hit.uv); },
@@ -51,10 +56,7 @@ std::variant<Diffuse, Specular> meet(const S& scene, const Ray& ray, const Hit& 
             if (!onward) return Diffuse{vec3(0)}; // it ends here
             return Specular{*onward, metal.albedo, absorption};
         },
-        [&](const Reflective& coat) -> Result {
-            if (source.uniform() < coat.reflectivity) return mirrored(coat.tint);
-            return meet(scene, ray, hit, coat.base, absorption, source);
-        },
+        [&](const Reflective&) -> Result { return Diffuse{vec3(0)}; }, // taken off above
         [&](const Glass& glass) -> Result {
             const Boundary side = boundary(glass, ray, hit);
             const auto onward = refracted_ray(ray, hit, side);
@@ -102,7 +104,7 @@ vec3 radiance(const S& scene, const AreaLights& lights, const Transport& transpo
         }
         if (absorption != vec3(0)) throughput *= transmittance(absorption, hit->t * length(ray.direction));
         const bool last = bounce == transport.depth || (matte && !transport.indirect);
-        const auto met = meet(scene, ray, *hit, hit->material, absorption, source);
+        const auto met = meet(scene, ray, *hit, absorption, source);
         if (const Specular* specular = std::get_if<Specular>(&met)) {
             if (last) return gathered;
             ray = specular->ray;
