@@ -1,9 +1,9 @@
 // Facts about light that has been around: bounces, area lights, and walks whose answer is known in closed
 // form. Noisy facts are z-tests with a fixed seed: a right renderer is beyond |z| = 4 in one run of 16,000.
-#include "06_textures/scene.h"
 #include "08_indirect/area_light.h"
 #include "08_indirect/bounce.h"
 #include "08_indirect/radiance.h"
+#include "08_indirect/scene.h"
 #include "common/obj_file.h"
 #include "tests/check.h"
 
@@ -517,7 +517,7 @@ TEST_CASE("a closed furnace reads Le (1 - rho^(k+1)) / (1 - rho) after k bounces
     const vec3 albedo(0.8f, 0.5f, 0.4f), emission(1, 1, 2.5f);
     const Scene scene = ball_room(albedo, emission);
     const AreaLights lights = area_lights(scene);
-    for (const bool sample_lights : {false, true})
+    for (const Direct direct : all_ways)
         for (const int depth : {0, 1, 2, 5, 60}) {
             const Transport transport{depth, true, sample_lights, false};
             const vec3 want = emission * (1.0f - pow(albedo, vec3(float(depth + 1)))) / (1.0f - albedo);
@@ -537,7 +537,7 @@ TEST_CASE("a closed furnace reads Le (1 - rho^(k+1)) / (1 - rho) after k bounces
 
 TEST_CASE("roulette leaves a furnace at Le / (1 - rho)") {
     const auto check = [](float rho, int depth, double want) {
-        for (const bool sample_lights : {false, true}) {
+        for (const Direct direct : all_ways) {
             Scene scene = ball_room(vec3(rho), vec3(1));
             const Transport transport{depth, true, sample_lights, true};
             const Mean mean = seen(scene, transport, in_ball_room);
@@ -554,7 +554,7 @@ TEST_CASE("roulette leaves a furnace at Le / (1 - rho)") {
 TEST_CASE("without indirect light a furnace reads its own light and one bounce") {
     const Scene scene = ball_room(vec3(0.8f, 0.5f, 0.4f), vec3(1, 2, 3));
     const AreaLights lights = area_lights(scene);
-    for (const bool sample_lights : {false, true})
+    for (const Direct direct : all_ways)
         for (const bool with_roulette : {false, true})
             for (const int depth : {0, 1, 7}) {
                 const Transport transport{depth, false, sample_lights, with_roulette};
@@ -638,7 +638,7 @@ TEST_CASE("slopes receive of a graded sky what is in front of them") {
 
 TEST_CASE("found by chance, a bright ball sends as much as when it is asked") {
     // The lamp is small and bright: what clamps its rare, large samples loses their light.
-    for (const bool sample_lights : {false, true}) {
+    for (const Direct direct : all_ways) {
         Scene scene;
         const int floor = add(scene, Diffuse{vec3(0.6f)});
         scene.planes = {{{0, 0, 0}, normalize(vec3(0.2f, 1, -0.1f)), floor}};
@@ -656,7 +656,7 @@ TEST_CASE("a lamp is as bright as its emission, with its own reflection of other
     Scene scene;
     scene.quads = {{{-1, -1, -4}, {2, 0, 0.5f}, {0, 2, 0}, add(scene, flat(vec3(17, 12, 7)))}};
     prepare(scene);
-    for (const bool sample_lights : {false, true})
+    for (const Direct direct : all_ways)
         for (const int depth : {0, 1, 5}) {
             Random random(41);
             const vec3 got =
@@ -689,7 +689,7 @@ TEST_CASE("point lights light the first surface as they do in step 02") {
             want = lit(scene, *hit, diffuse ? *diffuse : at(std::get<Checker>(material), hit->uv));
         }
         const vec3 got =
-            radiance(scene, AreaLights{}, {.depth = 1, .sample_lights = i % 2 == 0}, ray, random);
+            radiance(scene, AreaLights{}, {.depth = 1, .direct = all_ways[std::size_t(i % 3)]}, ray, random);
         INFO("towards " << to_text(aim) << ": expected " << to_text(want) << ", got " << to_text(got));
         REQUIRE(got == approx(want));
     }
@@ -732,7 +732,7 @@ TEST_CASE("a coat of reflectivity k shows k of the mirror and 1 - k of what lies
         twice.quads = {{{-1, -1, -4}, {2, 0, 0.5f}, {0, 2, 0}, second}};
         const double one = double(k) * 0.9 + (1 - double(k)) * (2 + 0.4);
         const double two = 0.5 * 0.6 + 0.5 * one;
-        for (const bool sample_lights : {false, true}) {
+        for (const Direct direct : all_ways) {
             const Transport transport{3, true, sample_lights, false};
             const Ray ray{{0, 0, 0}, {0.1f, 0.1f, -1}};
             const Mean single = seen(once, transport, ray), both = seen(twice, transport, ray);
@@ -748,7 +748,7 @@ TEST_CASE("a coat of reflectivity k shows k of the mirror and 1 - k of what lies
 }
 
 TEST_CASE("a coated lamp lights its surroundings as if it were 1 - k as bright") {
-    for (const bool sample_lights : {false, true}) {
+    for (const Direct direct : all_ways) {
         Scene scene;
         const int floor = add(scene, Diffuse{vec3(0.6f)});
         const int coat = add(scene, Reflective{0.25f, add(scene, flat(vec3(8)))});
@@ -878,7 +878,7 @@ TEST_CASE("a coloured medium without end lets nothing through") {
 
 TEST_CASE("a mirror on the wall doubles a lamp: its caustic is neither lost nor counted twice") {
     // The mirror wall x = -1 shows the lamp once more, with its tint, at x -> -2 - x.
-    for (const bool sample_lights : {false, true}) {
+    for (const Direct direct : all_ways) {
         Scene scene;
         const int floor = add(scene, Diffuse{vec3(0.6f)});
         const int wall = add(scene, Mirror{vec3(0.7f)});
@@ -906,7 +906,7 @@ TEST_CASE("a mirror on the wall doubles a lamp: its caustic is neither lost nor 
 TEST_CASE("a lamp behind clear glass shines through it, once") {
     // A ball of index 1 around the lamp bends nothing: all its light is a caustic that light sampling cannot
     // see.
-    for (const bool sample_lights : {false, true}) {
+    for (const Direct direct : all_ways) {
         Scene scene;
         const int floor = add(scene, Diffuse{vec3(0.6f)});
         const int lamp = add(scene, flat(vec3(5)));
@@ -958,7 +958,7 @@ TEST_CASE("triangles with Ke in a mesh's MTL are area lights on both sides") {
     add(open, lamp, 30);
     const std::vector<vec3> triangle{{-0.5f, 2, -0.5f}, {0.7f, 2.3f, -0.4f}, {0.1f, 2.1f, 0.8f}};
     const double want = 0.6 * 6 * form_factor(triangle, {0.4f, 0, -0.3f}, {0, 1, 0});
-    for (const bool sample_lights : {false, true}) {
+    for (const Direct direct : all_ways) {
         const Transport transport{1, true, sample_lights, false};
         const Mean mean = seen(open, transport, {{2.4f, 1, -1.3f}, {-2, -1, 1}}, 40'000);
         INFO("under the lamp, " << words(transport) << ": " << mean.against(want));

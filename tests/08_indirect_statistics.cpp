@@ -1,10 +1,10 @@
 // Facts about light that has been around, in scenes without a closed form: two ways to look for the same
 // light agree, and the way light goes can be turned round. z-tests with a fixed seed: a right renderer is
 // beyond |z| = 4 in one run of 16,000.
-#include "06_textures/scene.h"
 #include "08_indirect/area_light.h"
 #include "08_indirect/bounce.h"
 #include "08_indirect/radiance.h"
+#include "08_indirect/scene.h"
 #include "tests/check.h"
 
 #include <array>
@@ -119,7 +119,7 @@ TEST_CASE(
 TEST_CASE("roulette leaves the picture as it is") {
     Scene scene = oblique_scene();
     prepare(scene);
-    for (const bool sample_lights : {true, false}) {
+    for (const Direct direct : all_ways) {
         const Channels without = seen(scene, {12, true, sample_lights, false}, into_it, 50'000, 5);
         const Channels with = seen(scene, {12, true, sample_lights, true}, into_it, 50'000, 6);
         INFO("lights sampled: "

@@ -1,15 +1,18 @@
 // Step 08 asks: where does all the light come from?
 #include "01_spheres/view.h"
 #include "05_mesh_bvh/stage.h"
-#include "06_textures/scene.h"
 #include "07_antialias/filter.h"
+#include "08_indirect/animal.h"
+#include "08_indirect/cornell.h"
 #include "08_indirect/radiance.h"
+#include "08_indirect/scene.h"
+#include "08_indirect/weekend.h"
 #include "common/paths.h"
 #include "common/program.h"
 
 using namespace rt;
 
-enum class Show { room, furnace };
+enum class Show { room, furnace, cornell, weekend, animal };
 
 /// A box after the Cornell box, 2 m wide and open to the camera: red and green walls, a lamp in the ceiling,
 /// and in it a cow that looks at itself in a mirror ball, and a ball of glass.
@@ -42,13 +45,27 @@ Pose furnace(Scene& scene) {
     return {.from = {0, 0, 4}, .at = {0, 0, 0}, .fov = 40};
 }
 
+/// Builds one of the scenes that this step brings along.
+Pose build(Scene& scene, Show show) {
+    switch (show) {
+    case Show::furnace: return furnace(scene);
+    case Show::cornell: return cornell(scene);
+    case Show::weekend: return weekend(scene);
+    case Show::animal: return animal(scene);
+    default: return room(scene);
+    }
+}
+
 int main(int argc, char** argv) {
     Options options("08_indirect", "Where does all the light come from?",
                     {.width = 480, .height = 480, .samples = 64});
     const ModelKnobs model(options);
-    const auto show = options.choice("scene", {"room", "furnace"}, Show::room,
-                                     "what to show: the reference's room, or a white ball in a white world, "
-                                     "which must not be seen");
+    const std::string& spheres =
+        options.file("spheres", "a list of balls to show in the place and light of --scene weekend");
+    const auto show = options.choice(
+        "scene", {"room", "furnace", "cornell", "weekend", "animal"}, Show::room,
+        "what to show: the reference's room; a white ball in a white world, which must not be seen; "
+        "a Cornell box; the balls of a well-known book; a cat at home");
     const auto accel = options.choice("accel", {"brute", "bvh"}, Accel::bvh,
                                       "how a ray finds what it meets: ask every triangle, or descend a tree");
     const auto sampler_kind = sampler_knob(options);
@@ -59,8 +76,12 @@ int main(int argc, char** argv) {
     const int& depth = options.knob("depth", 5, 0, 1000, "bounces of a path; the light beyond is left out");
     const bool& no_indirect =
         options.flag("no-indirect", "matte surfaces see lamps and sky, but not each other");
-    const bool& no_light_sampling = options.flag(
-        "no-light-sampling", "lamps count only where a path happens to hit them: same picture, more noise");
+    const auto direct =
+        options.choice("direct", {"mis", "lights", "bounces"}, Direct::mis,
+                       "how a path looks for lamps: by asking them, by running into them, or by "
+                       "both, each where it is good (mis): same picture, different noise");
+    const auto spread = options.choice("bounce", {"cosine", "uniform"}, Spread::cosine,
+                                       "how bounces are spread: same picture, different noise");
     const bool& no_roulette =
         options.flag("no-roulette", "every path runs its full length: same picture, slower");
     const auto view = view_knob(options);
@@ -70,20 +91,19 @@ int main(int argc, char** argv) {
         const auto [width, height] = std::pair(options.picture().width, options.picture().height);
         Scene scene;
         scene.accel = accel;
-        const bool own = !model.mesh.empty();
-        const Pose pose = camera_knobs.pose(own ? stage_model(scene, model, float(width) / float(height))
-                                            : show == Show::room ? room(scene)
-                                                                 : furnace(scene));
+        const Pose pose =
+            camera_knobs.pose(!model.mesh.empty() ? stage_model(scene, model, float(width) / float(height))
+                              : !spheres.empty()  ? weekend(scene, read_sphere_list(spheres))
+                                                  : build(scene, show));
         prepare(scene);
         const AreaLights lights = area_lights(scene);
-        const Transport transport{depth, !no_indirect, !no_light_sampling, !no_roulette};
+        const Transport transport{depth, !no_indirect, direct, !no_roulette, spread};
         const Camera camera = make_camera(pose, width, height);
         render([&](Sample& sample) {
             Sampler sampler(sampler_kind, sample);
             const vec2 point = picture_point(sample, sampler, filter, filter_width);
             const Ray ray = camera_ray(camera, point);
-            Random path(sample.random.bits());
-            if (view == View::light) return radiance(scene, lights, transport, ray, path);
+            if (view == View::light) return radiance(scene, lights, transport, ray, sampler);
             return what_is_hit(scene, ray, view, distance(pose.from, pose.at));
         });
     });
