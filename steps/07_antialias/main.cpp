@@ -4,6 +4,7 @@
 #include "06_textures/radiance.h"
 #include "06_textures/scene.h"
 #include "07_antialias/filter.h"
+#include "07_antialias/lens.h"
 #include "common/paths.h"
 #include "common/program.h"
 
@@ -54,6 +55,7 @@ int main(int argc, char** argv) {
                                        "how a pixel weighs the light around its middle");
     const float& filter_width = options.knob(
         "filter-width", 1.0f, 0.0f, 10.0f, "scales the filter: box 1 pixel wide, tent 2, Gaussian sigma 1/2");
+    const LensKnobs lens_knobs(options);
     const auto accel = options.choice("accel", {"brute", "bvh"}, Accel::bvh,
                                       "how a ray finds what it meets: ask every triangle, or descend a tree");
     const int& depth = options.knob("depth", 6, 0, 24, "mirrors and boundaries that a ray may meet");
@@ -69,10 +71,11 @@ int main(int argc, char** argv) {
                                                 : test_chart(scene));
         prepare(scene);
         const Camera camera = make_camera(pose, width, height);
-        render([&](Sample& sample) {
+        const Lens lens = lens_knobs.lens(pose);
+        render([&](const Sample& sample) {
             Sampler sampler(sampler_kind, sample);
             const vec2 point = picture_point(sample, sampler, filter, filter_width);
-            const Ray ray = camera_ray(camera, point);
+            const Ray ray = picture_ray(camera, lens, point, sampler);
             if (view == View::light) return radiance(scene, ray, depth);
             return what_is_hit(scene, ray, view, distance(pose.from, pose.at));
         });

@@ -38,9 +38,9 @@ constexpr int permuted(int index, int count, std::uint64_t key) {
     const std::uint32_t mask = (1u << bits) - 1;
     std::uint32_t place = std::uint32_t(index);
     do {
-        for (int round = 0; round < 4; ++round) {
-            const auto part = std::uint32_t(std::rotr(key, 16 * round));
-            place = (place * (part | 1) + (part >> 16)) & mask;
+        for (int round = 0; round < 5; ++round) {
+            const auto part = std::uint32_t(std::rotr(key, 13 * round));
+            place = (place * (part | 1) + (part >> 8)) & mask;
             place ^= place >> ((bits + 1) / 2);
         }
     } while (place >= std::uint32_t(count));

@@ -43,4 +43,10 @@ constexpr float fraction(std::uint32_t reversed) {
     return float(reversed_bits(reversed) >> 8) * 0x1p-24f;
 }
 
+/// Sobol point `index` in [0, 1)^2, both coordinates scrambled as the key says.
+inline vec2 scrambled_sobol_point(std::uint32_t index, std::uint64_t key) {
+    return {fraction(owen_scrambled(index, std::uint32_t(key))),
+            fraction(owen_scrambled(sobol_second(index), std::uint32_t(key >> 32)))};
+}
+
 } // namespace rt

@@ -1,0 +1,117 @@
+// The small parts of a renderer, each alone and over and over: Google Benchmark's rules of measurement.
+#include "02_shadows/light.h"
+#include "04_refraction/glass.h"
+#include "05_mesh_bvh/box.h"
+#include "05_mesh_bvh/triangle.h"
+#include "06_textures/texture.h"
+#include "08_indirect/bounce.h"
+#include "tools/bench/meshes.h"
+#include "tools/bench/ours.h"
+
+#include <benchmark/benchmark.h>
+
+#include <array>
+#include <vector>
+
+namespace rt::bench {
+
+namespace {
+
+constexpr std::size_t inputs = 1024; ///< a power of two: enough that no branch predictor learns them by heart
+
+/// Rays from around the origin into all directions.
+std::vector<Ray> some_rays() {
+    Random random(4);
+    std::vector<Ray> rays;
+    for (std::size_t i = 0; i < inputs; ++i) {
+        const vec3 origin(random.uniform(), random.uniform(), random.uniform());
+        rays.push_back({origin - 0.5f, cosine_direction({0, 0, 1}, random.uniform2())});
+    }
+    return rays;
+}
+
+/// Calls kernel(i) for i = 0, 1, ..., inputs - 1, 0, ... and keeps its answers alive.
+template <typename Kernel>
+void repeat(benchmark::State& state, Kernel&& kernel) {
+    std::size_t i = 0;
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(kernel(i));
+        i = (i + 1) % inputs;
+    }
+    state.SetItemsProcessed(state.iterations());
+}
+
+void box(benchmark::State& state) {
+    const std::vector<Ray> rays = some_rays();
+    std::vector<SlabRay> slabs;
+    for (const Ray& ray : rays) slabs.push_back(slab_ray(ray));
+    const Box target{vec3(-0.5f, -0.5f, 1), vec3(0.5f, 0.5f, 2)};
+    repeat(state, [&](std::size_t i) { return entry(target, slabs[i], 0, infinity); });
+}
+
+void triangle(benchmark::State& state) {
+    const std::vector<Ray> rays = some_rays();
+    const vec3 a(-1, -1, 1), b(1, -1, 1), c(0, 1, 1);
+    repeat(state, [&](std::size_t i) { return intersect(a, b, c, rays[i]); });
+}
+
+void sphere(benchmark::State& state) {
+    const std::vector<Ray> rays = some_rays();
+    const Sphere ball{{0, 0, 2}, 1, 0};
+    repeat(state, [&](std::size_t i) { return intersect(ball, rays[i]); });
+}
+
+void random_number(benchmark::State& state) {
+    Random random(5);
+    repeat(state, [&](std::size_t) { return random.uniform(); });
+}
+
+void fresnel_term(benchmark::State& state) {
+    Random random(6);
+    std::vector<float> cosines(inputs);
+    for (float& cosine : cosines) cosine = random.uniform();
+    repeat(state, [&](std::size_t i) { return fresnel(cosines[i], 1 / 1.5f); });
+}
+
+void texture(benchmark::State& state) {
+    const Texture picture = make_texture(read_bitmap(asset("globe.png")));
+    Random random(7);
+    std::vector<vec2> uvs(inputs);
+    for (vec2& uv : uvs) uv = random.uniform2();
+    repeat(state, [&](std::size_t i) { return bilinear(picture, uvs[i]); });
+}
+
+void bounce(benchmark::State& state) {
+    Random random(8);
+    std::vector<vec2> squares(inputs);
+    for (vec2& u : squares) u = random.uniform2();
+    const std::vector<Ray> rays = some_rays();
+    repeat(state, [&](std::size_t i) { return cosine_direction(rays[i].direction, squares[i]); });
+}
+
+void camera(benchmark::State& state) {
+    const Camera eye = make_camera({.from = {0, 1, 4}, .at = {0, 0, 0}}, 640, 400);
+    repeat(state, [&](std::size_t i) { return camera_ray(eye, vec2(float(i), float(i % 400)) + 0.5f); });
+}
+
+void tree_build(benchmark::State& state) {
+    const Subject subject = knot_field("", int(state.range(0)));
+    for (auto _ : state) benchmark::DoNotOptimize(build_ours(subject.mesh, 1));
+    state.SetItemsProcessed(state.iterations() * std::int64_t(subject.mesh.triangles.size()));
+}
+
+BENCHMARK(box)->Name("ray and box");
+BENCHMARK(triangle)->Name("ray and triangle");
+BENCHMARK(sphere)->Name("ray and sphere");
+BENCHMARK(random_number)->Name("random number");
+BENCHMARK(fresnel_term)->Name("Fresnel");
+BENCHMARK(texture)->Name("texture, bilinear");
+BENCHMARK(bounce)->Name("cosine direction");
+BENCHMARK(camera)->Name("camera ray");
+BENCHMARK(tree_build)->Name("tree of triangles")->Arg(10'000)->Arg(100'000)->Unit(benchmark::kMillisecond);
+
+} // namespace
+
+} // namespace rt::bench
+
+BENCHMARK_MAIN();
