@@ -193,7 +193,8 @@ const Series& find(const std::vector<Series>& all, const std::string& estimator,
 void print_table(const std::vector<Series>& all, const Wish& wish) {
     std::printf(
         "\n## %s\n\nRoot of the mean squared error at n samples a pixel, %d x %d pixels; in the last columns "
-        "the trimmed\nrelative squared error and the processor seconds at %d samples.\n\n"
+        "the relative\nsquared error without its worst thousandth, which hides rare bright pixels, and the "
+        "processor seconds, at %d\nsamples.\n\n"
         "| estimator | sampler    |",
         all.front().scene.c_str(), wish.size, wish.size, all.front().points.back().samples);
     for (const Convergence& point : all.front().points) std::printf(" %7d |", point.samples);
