@@ -99,11 +99,15 @@ Scene ball_room(vec3 albedo, vec3 emission) {
     prepare(scene);
     return scene;
 }
+const std::array all_ways{Direct::mis, Direct::lights, Direct::bounces};
 const Ray in_ball_room{{0.5f, 0.3f, 2.5f}, normalize(vec3(0.7f, 0.2f, -0.4f))};
 
 std::string words(const Transport& transport) {
     return "depth " + std::to_string(transport.depth) + (transport.indirect ? "" : ", no indirect light") +
-           (transport.sample_lights ? ", lights sampled" : ", lights found by chance") +
+           (transport.direct == Direct::mis      ? ", lights sampled and found"
+            : transport.direct == Direct::lights ? ", lights sampled"
+                                                 : ", lights found by chance") +
+           (transport.spread == Spread::cosine ? "" : ", uniform bounces") +
            (transport.roulette ? ", roulette" : ", no roulette");
 }
 
@@ -319,7 +323,7 @@ TEST_CASE("the points of a light are spread evenly over it") {
           }) < 120.6);
 }
 
-TEST_CASE("the points of a light lie on it, face along its normal, and know their density") {
+TEST_CASE("the points of a light lie on it, and face along its normal") {
     const Quad quad{{1, 2, -1}, {2, 0.5f, 0.3f}, {0.9f, 1, 1.5f}, 0};
     const LightTriangle triangle{{1, 0, 2}, {3, 0.5f, 1}, {0.5f, 2, -1}};
     const Sphere sphere{{-1, 2, 0.5f}, 2.5f, 0};
@@ -338,9 +342,6 @@ TEST_CASE("the points of a light lie on it, face along its normal, and know thei
         REQUIRE(std::abs(dot(b.normal, normalize(triangle_normal))) == approx(1));
         REQUIRE(distance(c.position, sphere.center) == approx(2.5f));
         REQUIRE(c.position == approx(sphere.center + 2.5f * c.normal));
-        REQUIRE_MESSAGE(a.density * length(quad_normal) == approx(1), "1 / area of the parallelogram");
-        REQUIRE_MESSAGE(b.density * length(triangle_normal) == approx(2), "1 / area, half the cross product");
-        REQUIRE_MESSAGE(c.density * 4 * pi * 2.5f * 2.5f == approx(1), "1 / (4 pi r^2)");
         height.add(double(std::abs(dot(c.normal, normals[5]))));
     }
     INFO("mean |cosine| of uniform directions, 1/2: " << height.against(0.5));
@@ -519,7 +520,7 @@ TEST_CASE("a closed furnace reads Le (1 - rho^(k+1)) / (1 - rho) after k bounces
     const AreaLights lights = area_lights(scene);
     for (const Direct direct : all_ways)
         for (const int depth : {0, 1, 2, 5, 60}) {
-            const Transport transport{depth, true, sample_lights, false};
+            const Transport transport{depth, true, direct, false};
             const vec3 want = emission * (1.0f - pow(albedo, vec3(float(depth + 1)))) / (1.0f - albedo);
             Random random(23);
             for (int i = 0; i < 30; ++i) {
@@ -539,7 +540,7 @@ TEST_CASE("roulette leaves a furnace at Le / (1 - rho)") {
     const auto check = [](float rho, int depth, double want) {
         for (const Direct direct : all_ways) {
             Scene scene = ball_room(vec3(rho), vec3(1));
-            const Transport transport{depth, true, sample_lights, true};
+            const Transport transport{depth, true, direct, true};
             const Mean mean = seen(scene, transport, in_ball_room);
             INFO("rho " << rho << ", " << words(transport) << ": " << mean.against(want)
                         << "; too dark: survivors are to be divided by their probability");
@@ -557,7 +558,7 @@ TEST_CASE("without indirect light a furnace reads its own light and one bounce")
     for (const Direct direct : all_ways)
         for (const bool with_roulette : {false, true})
             for (const int depth : {0, 1, 7}) {
-                const Transport transport{depth, false, sample_lights, with_roulette};
+                const Transport transport{depth, false, direct, with_roulette};
                 const vec3 want = vec3(1, 2, 3) * (depth == 0 ? vec3(1) : vec3(1.8f, 1.5f, 1.4f));
                 Random random(29);
                 const vec3 got = radiance(scene, lights, transport, in_ball_room, random);
@@ -645,7 +646,7 @@ TEST_CASE("found by chance, a bright ball sends as much as when it is asked") {
         scene.spheres = {{{1, 2, -1.5f}, 0.3f, add(scene, flat(vec3(500)))}};
         const vec3 normal = scene.planes[0].normal, way(1, 2, -1.5f);
         const double want = 0.6 * 500 * 0.09 / double(dot(way, way)) * double(dot(normalize(way), normal));
-        const Transport transport{1, true, sample_lights, false};
+        const Transport transport{1, true, direct, false};
         const Mean mean = seen(scene, transport, {{-3, 2, 2}, {3, -2, -2}}, 60'000);
         INFO(words(transport) << ": " << mean.against(want));
         CHECK(off(mean, want) < 4);
@@ -659,9 +660,8 @@ TEST_CASE("a lamp is as bright as its emission, with its own reflection of other
     for (const Direct direct : all_ways)
         for (const int depth : {0, 1, 5}) {
             Random random(41);
-            const vec3 got =
-                radiance(scene, area_lights(scene), {.depth = depth, .sample_lights = sample_lights},
-                         {{0, 0, 0}, {0.1f, 0.1f, -1}}, random);
+            const vec3 got = radiance(scene, area_lights(scene), {.depth = depth, .direct = direct},
+                                      {{0, 0, 0}, {0.1f, 0.1f, -1}}, random);
             CHECK_MESSAGE(got == approx(vec3(17, 12, 7)),
                           "black: emission is to be added where the eye meets the lamp");
         }
@@ -709,7 +709,7 @@ TEST_CASE("pictures and tiles give the walk their albedo, pictures their light t
     prepare(tiled);
     Random random(47);
     for (int i = 0; i < 200; ++i) {
-        const Transport transport{1 + i % 3, true, i % 2 == 0, false};
+        const Transport transport{1 + i % 3, true, all_ways[std::size_t(i % 3)], false};
         const vec3 card =
             radiance(scene, area_lights(scene), transport, {{0, 0, 0}, {0.1f, 0.1f, -1}}, random);
         REQUIRE(card == approx(vec3(3, 0, 1) + 0.5f * vec3(1, 0.2158605f, 0.0331048f)));
@@ -733,7 +733,7 @@ TEST_CASE("a coat of reflectivity k shows k of the mirror and 1 - k of what lies
         const double one = double(k) * 0.9 + (1 - double(k)) * (2 + 0.4);
         const double two = 0.5 * 0.6 + 0.5 * one;
         for (const Direct direct : all_ways) {
-            const Transport transport{3, true, sample_lights, false};
+            const Transport transport{3, true, direct, false};
             const Ray ray{{0, 0, 0}, {0.1f, 0.1f, -1}};
             const Mean single = seen(once, transport, ray), both = seen(twice, transport, ray);
             INFO("k = " << k << ": " << single.against(one)
@@ -757,7 +757,7 @@ TEST_CASE("a coated lamp lights its surroundings as if it were 1 - k as bright")
         // The mirror's half of a bounce goes to the sky, which is black, or past the lamp to the floor.
         const vec3 position(0.2f, 0, 0.3f);
         const double want = 0.6 * 6 * form_factor(corners_of(scene.quads[0]), position, {0, 1, 0});
-        const Transport transport{1, true, sample_lights, false};
+        const Transport transport{1, true, direct, false};
         const Mean mean = seen(scene, transport, {position + vec3(-2, 1, 1), vec3(2, -1, -1)}, 40'000);
         INFO(words(transport) << ": " << mean.against(want));
         CHECK(off(mean, want) < 4);
@@ -780,7 +780,7 @@ TEST_CASE("the depth counts mirrors: k of them leave s^k, and one fewer leaves n
             std::array<Mean, 2> mean;
             Random random(53);
             for (int i = 0; i < 4000; ++i) {
-                const Transport transport{depth, i % 2 == 0, i % 3 == 0, with_roulette};
+                const Transport transport{depth, i % 2 == 0, all_ways[std::size_t(i % 3)], with_roulette};
                 const vec3 got =
                     radiance(scene, AreaLights{}, transport, {{0.5f, 0, 0}, {1, 1, 0.2f}}, random);
                 mean[0].add(double(got.x));
@@ -888,18 +888,18 @@ TEST_CASE("a mirror on the wall doubles a lamp: its caustic is neither lost nor 
         const vec3 position(-0.3f, 0, 0.2f), up(0, 1, 0);
         std::vector<vec3> image = corners_of(lamp);
         for (vec3& corner : image) corner.x = -2 - corner.x;
-        const double direct = 0.6 * 5 * form_factor(corners_of(lamp), position, up);
+        const double straight = 0.6 * 5 * form_factor(corners_of(lamp), position, up);
         const double caustic = 0.6 * 5 * 0.7 * form_factor(image, position, up);
         const Ray ray{position + vec3(1, 3, 1), vec3(-1, -3, -1)};
         const auto check = [&](const Transport& transport, double want) {
             const Mean mean = seen(scene, transport, ray, 40'000);
-            INFO(words(transport) << ": " << mean.against(want) << "; " << direct << " directly, " << caustic
-                                  << " by the mirror");
+            INFO(words(transport) << ": " << mean.against(want) << "; " << straight << " directly, "
+                                  << caustic << " by the mirror");
             CHECK(off(mean, want) < 4);
         };
-        check({2, true, sample_lights, false}, direct + caustic);
-        check({2, true, sample_lights, true}, direct + caustic);
-        check({1, true, sample_lights, false}, direct);
+        check({2, true, direct, false}, straight + caustic);
+        check({2, true, direct, true}, straight + caustic);
+        check({1, true, direct, false}, straight);
     }
 }
 
@@ -915,7 +915,7 @@ TEST_CASE("a lamp behind clear glass shines through it, once") {
         scene.spheres = {{{0, 2.1f, 0}, 1.2f, add(scene, Glass{{1.0f}})}};
         const vec3 position(0.3f, 0, 0.2f);
         const double want = 0.6 * 5 * form_factor(corners_of(scene.quads[0]), position, {0, 1, 0});
-        const Transport transport{3, true, sample_lights, false};
+        const Transport transport{3, true, direct, false};
         const Mean mean = seen(scene, transport, {position + vec3(-3, 1, 1), vec3(3, -1, -1)}, 40'000);
         INFO(words(transport) << ": " << mean.against(want));
         CHECK(off(mean, want) < 4);
@@ -947,10 +947,10 @@ TEST_CASE("triangles with Ke in a mesh's MTL are area lights on both sides") {
     CHECK_MESSAGE(lights.list.size() == 12, "every triangle that glows is a light of its own");
     Random random(61);
     const Ray inside{{0.7f, 0.4f, 1.2f}, {0.3f, -0.5f, 0.2f}};
-    const vec3 chance = radiance(closed, lights, {60, true, false, false}, inside, random);
+    const vec3 chance = radiance(closed, lights, {60, true, Direct::bounces, false}, inside, random);
     INFO("Ke 1, Kd .5, closed: Ke / (1 - Kd) = 2");
     CHECK(chance == approx(vec3(2, 4, 0), 1e-4f));
-    const Mean once = seen(closed, {1, true, true, false}, inside);
+    const Mean once = seen(closed, {1, true, Direct::lights, false}, inside);
     INFO("lights sampled, one bounce: " << once.against(1.5));
     CHECK(off(once, 1.5) < 4);
 
@@ -959,7 +959,7 @@ TEST_CASE("triangles with Ke in a mesh's MTL are area lights on both sides") {
     const std::vector<vec3> triangle{{-0.5f, 2, -0.5f}, {0.7f, 2.3f, -0.4f}, {0.1f, 2.1f, 0.8f}};
     const double want = 0.6 * 6 * form_factor(triangle, {0.4f, 0, -0.3f}, {0, 1, 0});
     for (const Direct direct : all_ways) {
-        const Transport transport{1, true, sample_lights, false};
+        const Transport transport{1, true, direct, false};
         const Mean mean = seen(open, transport, {{2.4f, 1, -1.3f}, {-2, -1, 1}}, 40'000);
         INFO("under the lamp, " << words(transport) << ": " << mean.against(want));
         CHECK(off(mean, want) < 4);
