@@ -53,6 +53,12 @@ void check_same(const Channels& a, const Channels& b) {
     }
 }
 
+std::string words(const Transport& transport) {
+    const std::array ways{"lights sampled and found", "lights sampled", "lights found by chance"};
+    return ways[std::size_t(transport.direct)] +
+           std::string(transport.spread == Spread::cosine ? "" : ", uniform bounces");
+}
+
 void add_triangle(Scene& scene, vec3 a, vec3 b, vec3 c, int material) {
     const auto first = std::uint32_t(scene.mesh.positions.size());
     for (const vec3 corner : {a, b, c}) {
@@ -85,37 +91,44 @@ const Ray into_it{{0.5f, 2.5f, 6}, {-0.6f, -2, -5.8f}}; // meets the floor under
 
 } // namespace
 
-TEST_CASE("lights that are sampled and lights that are found by chance give the same picture") {
-    // The best single test: an error in a cosine, a distance, an area, a density or a pi is in one of the two
-    // alone.
+TEST_CASE("however lamps are looked for and bounces are spread, the picture is the same") {
+    // The best single test: an error in a cosine, a distance, an area, a density or a pi is in one of them alone.
     Scene scene = oblique_scene();
     prepare(scene);
     for (const int depth : {1, 2, 5})
         for (const bool indirect : {true, false}) {
-            const Channels asked = seen(scene, {depth, indirect, Direct::lights, false}, into_it, 100'000, 1);
             const Channels chance =
                 seen(scene, {depth, indirect, Direct::bounces, false}, into_it, 150'000, 2);
-            INFO("depth " << depth << ", indirect light " << std::string(indirect ? "on" : "off")
-                          << ": first sampled, then by chance; sampled too bright: counted twice");
-            check_same(asked, chance);
+            for (const Direct direct : all_ways)
+                for (const Spread spread : {Spread::cosine, Spread::uniform}) {
+                    const Transport transport{depth, indirect, direct, false, spread};
+                    const Channels other = seen(scene, transport, into_it, 100'000, 1);
+                    INFO("depth " << depth << ", indirect light " << std::string(indirect ? "on" : "off")
+                                  << ": " << words(transport)
+                                  << ", then by chance and the cosine; too bright: counted twice");
+                    check_same(other, chance);
+                }
         }
 }
 
-TEST_CASE(
-    "with mirrors and glass, too, both ways to look for lights agree: no caustic is lost or counted twice") {
+TEST_CASE("with mirrors, metal and glass, too, all ways agree: no caustic is lost or counted twice") {
     Scene scene = oblique_scene();
     const int glass = add(scene, Glass{{1.5f, {0.5f, 0.1f, 0.3f}}});
     const int coat = add(scene, Reflective{0.6f, 0, {0.9f, 0.8f, 0.7f}});
     const int shiny_lamp = add(scene, Reflective{0.4f, add(scene, flat(vec3(9, 7, 5)))});
     scene.spheres.push_back({{-0.3f, 0.7f, 1.6f}, 0.6f, glass});
+    scene.spheres.push_back({{-1.1f, 0.6f, 0.4f}, 0.4f, add(scene, Metal{{0.9f, 0.6f, 0.3f}, 0.4f})});
     scene.quads.push_back({{-2.2f, 0, -1}, {0.3f, 2.5f, 0.2f}, {0.2f, 0.1f, 3}, coat});
     scene.quads.push_back({{0.2f, 2.8f, 1.6f}, {0.7f, 0.2f, 0.3f}, {0.1f, 0.1f, 0.5f}, shiny_lamp});
     prepare(scene);
     for (const int depth : {2, 3, 6}) {
-        const Channels asked = seen(scene, {depth, true, Direct::lights, true}, into_it, 100'000, 3);
         const Channels chance = seen(scene, {depth, true, Direct::bounces, true}, into_it, 150'000, 4);
-        INFO("depth " << depth << ": first sampled, then by chance");
-        check_same(asked, chance);
+        for (const Direct direct : {Direct::mis, Direct::lights}) {
+            const Transport transport{depth, true, direct, true};
+            const Channels asked = seen(scene, transport, into_it, 100'000, 3);
+            INFO("depth " << depth << ": " << words(transport) << ", then by chance");
+            check_same(asked, chance);
+        }
     }
 }
 
@@ -254,8 +267,7 @@ TEST_CASE(
          {Transport{25, true, Direct::mis, true}, Transport{25, true, Direct::lights, false},
           Transport{25, true, Direct::bounces, true}}) {
         const Channels mean = seen(scene, transport, ray, 15'000, 12);
-        INFO("way " << int(transport.direct) << ", roulette: " << transport.roulette << ": "
-                    << mean[0].against(2));
+        INFO(words(transport) << ", roulette: " << transport.roulette << ": " << mean[0].against(2));
         CHECK(off(mean[0], 2) < 4);
     }
 }
