@@ -53,15 +53,22 @@ inline Ray picture_ray(const Camera& camera, const Lens& lens, vec2 pixel, Sampl
 
 /// Declares --aperture and --focus.
 struct LensKnobs {
-    explicit LensKnobs(Options& options)
-        : aperture(options.knob("aperture", 0.0f, 0.0f, 1000.0f,
-                                "how wide the lens is, metres; 0 is a pinhole, with everything in focus")),
-          focus(options.knob("focus", 0.0f, 0.0f, 1e6f,
-                             "how far ahead the plane in focus is, metres; 0 for the distance to --at")) {}
+    explicit LensKnobs(Options& all)
+        : options(all),
+          aperture(all.knob("aperture", 0.0f, 0.0f, 1000.0f,
+                            "how wide the lens is, metres; 0 is a pinhole, with everything in focus")),
+          focus(all.knob("focus", 0.0f, 0.0f, 1e6f,
+                         "how far ahead the plane in focus is, metres; 0 for the distance to --at")) {}
 
-    /// Of a camera that stands like that.
-    Lens lens(const Pose& pose) const { return {aperture, focus > 0 ? focus : distance(pose.from, pose.at)}; }
+    /// Of a camera that stands like that: `other`, but for the knobs that the user has turned. A focus of 0 stands
+    /// for the distance to what the camera looks at.
+    Lens lens(const Pose& pose, const Lens& other = {.aperture = 0, .focus = 0}) const {
+        const float width = options.given("aperture") ? aperture : other.aperture;
+        const float ahead = options.given("focus") ? focus : other.focus;
+        return {width, ahead > 0 ? ahead : distance(pose.from, pose.at)};
+    }
 
+    const Options& options;
     const float& aperture;
     const float& focus;
 };

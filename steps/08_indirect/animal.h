@@ -18,17 +18,20 @@ inline Pose animal(Scene& scene) {
                    {{-2, 2.6f, -2}, {4, 0, 0}, {0, 0, 5}, ceiling},
                    {{-2, 0, -2}, {4, 0, 0}, {0, 2.6f, 0}, blue}, // behind the cat
                    {{2, 0, 3}, {-4, 0, 0}, {0, 2.6f, 0}, wall},  // behind the camera
-                   {{-2, 0, 3}, {0, 0, -5}, {0, 2.6f, 0}, wall},
+                   {{-2, 0, 3}, {0, 0, -5}, {0, 0.8f, 0}, wall}, // below, above and beside the window
+                   {{-2, 2.2f, 3}, {0, 0, -5}, {0, 0.4f, 0}, wall},
+                   {{-2, 0.8f, 3}, {0, 0, -1.8f}, {0, 1.4f, 0}, wall},
+                   {{-2, 0.8f, -0.4f}, {0, 0, -1.6f}, {0, 1.4f, 0}, wall},
                    {{2, 0, -2}, {0, 0, 5}, {0, 2.6f, 0}, wall},
-                   {{-1.99f, 0.8f, 1.2f}, {0, 0, -1.6f}, {0, 1.4f, 0}, window}};
-    scene.spheres = {{{1.25f, 0.3f, -0.7f}, 0.3f, add(scene, Metal{{0.95f, 0.72f, 0.4f}, 0.12f})},
-                     {{-0.95f, 0.22f, 0.15f}, 0.22f, add(scene, Glass{{1.5f}})},
-                     {{-1.2f, 0.34f, -1.1f}, 0.34f, add(scene, Mirror{vec3(0.92f)})},
-                     {{0.85f, 0.13f, 0.45f}, 0.13f, add(scene, Diffuse{{0.7f, 0.1f, 0.08f}})},
-                     {{1.35f, 1.75f, -1.3f}, 0.14f, lamp}};
+                   {{-2, 0.8f, 1.2f}, {0, 0, -1.6f}, {0, 1.4f, 0}, window}};
+    scene.spheres = {{{1.0f, 0.3f, -0.8f}, 0.3f, add(scene, Metal{{0.95f, 0.72f, 0.4f}, 0.12f})},
+                     {{-0.72f, 0.22f, 0.25f}, 0.22f, add(scene, Glass{{1.5f}})},
+                     {{-0.85f, 0.34f, -1.2f}, 0.34f, add(scene, Mirror{vec3(0.92f)})},
+                     {{0.62f, 0.13f, 0.4f}, 0.13f, add(scene, Diffuse{{0.7f, 0.1f, 0.08f}})},
+                     {{1.2f, 1.75f, -1.3f}, 0.14f, lamp}};
 
     ObjFile cat = read_obj(asset("cat.obj"));
-    place(cat, 0.95f, -25, {0.05f, 0, -0.35f});
+    place(cat, 1.1f, -55, {0.1f, 0, -0.4f});
     add(scene, cat, 40);
     return {.from = {-0.25f, 0.95f, 2.85f}, .at = {0.05f, 0.62f, -0.4f}, .fov = 40};
 }

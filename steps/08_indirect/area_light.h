@@ -5,13 +5,13 @@
 #include "03_mirror/quad.h"
 #include "04_refraction/glass.h"
 #include "05_mesh_bvh/mesh.h"
+#include "06_textures/texture.h"
 #include "08_indirect/bounce.h"
 #include "common/image.h"
 #include "common/match.h"
 
 #include <algorithm>
 #include <limits>
-#include <optional>
 #include <variant>
 #include <vector>
 
@@ -145,7 +145,7 @@ inline float share(float p, float q) {
 /// the medium between them. `rivals`: the spread of bounces that look for the same lights and take their share.
 template <CastsShadows S, UniformSource Source>
 vec3 area_light(const S& scene, const AreaLights& lights, const Hit& hit, Source& source,
-                vec3 absorption = vec3(0), std::optional<Spread> rivals = std::nullopt) {
+                vec3 absorption = vec3(0), const Spread* rivals = nullptr) {
     if (lights.list.empty()) return vec3(0);
     const LightPoint point = light_point(lights, source.uniform2());
     //> the light over its density, times the cosine and the share, if nothing stands between

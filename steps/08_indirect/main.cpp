@@ -2,6 +2,7 @@
 #include "01_spheres/view.h"
 #include "05_mesh_bvh/stage.h"
 #include "07_antialias/filter.h"
+#include "07_antialias/lens.h"
 #include "08_indirect/animal.h"
 #include "08_indirect/cornell.h"
 #include "08_indirect/radiance.h"
@@ -50,6 +51,7 @@ int main(int argc, char** argv) {
                                        "how a pixel weighs the light around its middle");
     const float& filter_width = options.knob(
         "filter-width", 1.0f, 0.0f, 10.0f, "scales the filter: box 1 pixel wide, tent 2, Gaussian sigma 1/2");
+    const LensKnobs lens_knobs(options);
     const int& depth = options.knob("depth", 5, 0, 1000, "bounces of a path; the light beyond is left out");
     const bool& no_indirect =
         options.flag("no-indirect", "matte surfaces see lamps and sky, but not each other");
@@ -76,10 +78,12 @@ int main(int argc, char** argv) {
         const AreaLights lights = area_lights(scene);
         const Transport transport{depth, !no_indirect, direct, !no_roulette, spread};
         const Camera camera = make_camera(pose, width, height);
-        render([&](Sample& sample) {
+        const bool balls = model.mesh.empty() && (!spheres.empty() || show == Show::weekend);
+        const Lens lens = lens_knobs.lens(pose, balls ? weekend_lens : Lens{.focus = 0});
+        render([&](const Sample& sample) {
             Sampler sampler(sampler_kind, sample);
             const vec2 point = picture_point(sample, sampler, filter, filter_width);
-            const Ray ray = camera_ray(camera, point);
+            const Ray ray = picture_ray(camera, lens, point, sampler);
             if (view == View::light) return radiance(scene, lights, transport, ray, sampler);
             return what_is_hit(scene, ray, view, distance(pose.from, pose.at));
         });

@@ -71,7 +71,7 @@ vec3 asked(const S& scene, const AreaLights& lights, const Transport& transport,
            vec3 absorption, Source& source) {
     const vec3 from_points = direct_light(scene, hit);
     if (transport.direct == Direct::bounces) return from_points;
-    const auto rivals = transport.direct == Direct::mis ? std::optional(transport.spread) : std::nullopt;
+    const Spread* rivals = transport.direct == Direct::mis ? &transport.spread : nullptr;
     return from_points + area_light(scene, lights, hit, source, absorption, rivals);
 }
 

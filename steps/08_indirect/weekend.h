@@ -3,15 +3,15 @@
 #pragma once
 
 #include "01_spheres/camera.h"
+#include "07_antialias/lens.h"
 #include "08_indirect/scene.h"
 #include "common/random.h"
 #include "common/sphere_list.h"
 
 namespace rt {
 
-inline constexpr float weekend_aperture =
-    0.104720f; ///< .6 degrees wide from the focus: 2 * 10 tan(.3 degrees)
-inline constexpr float weekend_focus = 10;
+/// Seen from what is in focus it is .6 degrees wide: 2 * 10 tan(.3 degrees).
+inline constexpr Lens weekend_lens{.aperture = 0.104720f, .focus = 10};
 
 /// The sky and the camera that go with it.
 inline Pose weekend_view(Scene& scene) {
