@@ -4,9 +4,17 @@
 
 #include "common/vec.h"
 
+#include <concepts>
 #include <cstdint>
 
 namespace rt {
+
+/// Hands out uniform numbers in [0, 1), one or two at a time: all that code which leaves things to chance asks for.
+template <typename T>
+concept UniformSource = requires(T& source) {
+    { source.uniform() } -> std::same_as<float>;
+    { source.uniform2() } -> std::same_as<vec2>;
+};
 
 /// The finaliser of SplitMix64 (Steele, Lea and Flood, OOPSLA 2014): a bijection that scatters all 64 bits.
 constexpr std::uint64_t scatter(std::uint64_t bits) {
@@ -41,5 +49,6 @@ class Random {
   private:
     std::uint64_t state;
 };
+static_assert(UniformSource<Random>);
 
 } // namespace rt

@@ -130,7 +130,7 @@ void Job::render_pixel(int x, int y, Findings& found) {
     PixelSum pixel;
     bool finite = true;
     for (int i = 0; i < picture.samples; ++i) {
-        Sample sample{x, y, i, picture.samples, Random(x, y, i, picture.seed)};
+        Sample sample{x, y, i, picture.samples, Random(x, y, i, picture.seed), picture.seed};
         const vec3 value = radiance(sample);
         if (is_finite(value)) {
             pixel.add(value);

@@ -18,6 +18,7 @@ struct Sample {
     int index = 0;             ///< 0 to count - 1
     int count = 1;             ///< samples a pixel
     Random random{0, 0, 0, 0}; ///< numbers that no other sample gets
+    std::uint64_t seed = 0;    ///< of the picture, for numbers that the samples of a pixel share
 };
 
 /// From a sample to the radiance that it sees. Called from many threads at once; must depend on nothing but
@@ -29,7 +30,8 @@ struct Film {
     /// Radiance, linear RGB; a pixel with a sample that was not finite is (nan, nan, nan).
     Image mean;
     /// Of the mean's luminance, (sum of squares / n - mean^2) / (n - 1), in all three channels; 0 for one
-    /// sample a pixel, nan where the mean is.
+    /// sample a pixel, nan where the mean is. True for samples that know nothing of each other, as a rule too
+    /// large for samples that are spread evenly: a z-test with it stays valid, but is milder.
     Image variance;
     std::uint64_t not_finite = 0;                   ///< samples that were NaN or infinite
     int first_x = 0, first_y = 0, first_sample = 0; ///< of those, in reading order and in the whole picture

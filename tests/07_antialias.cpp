@@ -1,7 +1,7 @@
 // Facts about pixels: where their samples lie, how a filter weighs them, and what an average of light is.
 // Noisy facts are z-tests with a fixed seed: a right renderer is beyond |z| = 4 in one run of 16,000.
 #include "07_antialias/filter.h"
-#include "07_antialias/sample.h"
+#include "07_antialias/sampler.h"
 #include "common/image.h"
 #include "common/render.h"
 #include "tests/check.h"
@@ -27,12 +27,17 @@ Picture picture(int width, int height, int samples, std::uint64_t seed = 7) {
 }
 
 /// A world that is a function of the place in the picture alone, seen as step 07 sees its scene.
-Film photograph(const Picture& wanted, Pattern pattern, Filter filter, float width,
+Film photograph(const Picture& wanted, SamplerKind kind, Filter filter, float width,
                 const std::function<vec3(vec2)>& world) {
-    return render(wanted, [&](Sample& sample) {
-        const vec2 u = sample_point(pattern, sample.index, sample.count, sample.random);
-        return world(vec2(sample.x, sample.y) + 0.5f + filter_offset(filter, u, width));
+    return render(wanted, [&](const Sample& sample) {
+        Sampler sampler(kind, sample);
+        return world(picture_point(sample, sampler, filter, width));
     });
+}
+
+/// The first point that sample `index` of `count` of a pixel asks for.
+vec2 first_point(SamplerKind kind, int index, int count, int pixel, std::uint64_t seed) {
+    return Sampler(kind, Sample{pixel, 0, index, count, Random(pixel, 0, index, seed), seed}).uniform2();
 }
 
 /// White where p lies on the inner side of the line through `through`, else black.
@@ -45,11 +50,11 @@ int byte_of(float linear) {
     return int(std::lround(255 * srgb_from_linear(linear)));
 }
 
-const std::array patterns{Pattern::random, Pattern::stratified};
+const std::array kinds{SamplerKind::random, SamplerKind::stratified, SamplerKind::sobol};
 const std::array filters{Filter::box, Filter::tent, Filter::gaussian};
 
-std::string name(Pattern pattern) {
-    return pattern == Pattern::random ? "random" : "stratified";
+std::string name(SamplerKind kind) {
+    return std::array{"random", "stratified", "Sobol"}[std::size_t(kind)];
 }
 std::string name(Filter filter) {
     return filter == Filter::box ? "box" : filter == Filter::tent ? "tent" : "gaussian";
@@ -70,7 +75,7 @@ std::vector<Cell> cells_of(int count) {
     for (int i = 0; i < count; ++i) {
         Cell& cell = cells[std::size_t(i)];
         for (int repeat = 0; repeat < 300; ++repeat) {
-            const vec2 p = sample_point(Pattern::stratified, i, count, random);
+            const vec2 p = stratified_point(i, count, random);
             cell.low = min(cell.low, p);
             cell.high = max(cell.high, p);
         }
@@ -117,14 +122,14 @@ TEST_CASE("stratified cells are about as wide as high") {
     }
 }
 
-TEST_CASE("no point of a pattern reaches 1, however many samples a pixel has") {
+TEST_CASE("no stratified point reaches 1, however many samples a pixel has") {
     // In the last column the float sum of a column's number and the jitter rounds up to the next whole number
     // with a chance of one in 32,768 here, and of one in four million at 64 samples.
     const int count = 1 << 20;
     Random random(5);
     int outside = 0;
     for (int repeat = 0; repeat < 400'000; ++repeat) {
-        const vec2 p = sample_point(Pattern::stratified, count - 1, count, random);
+        const vec2 p = stratified_point(count - 1, count, random);
         outside += !(p.x >= 0 && p.x < 1 && p.y >= 0 && p.y < 1);
     }
     CHECK_MESSAGE(outside == 0,
@@ -132,42 +137,40 @@ TEST_CASE("no point of a pattern reaches 1, however many samples a pixel has") {
                   "ray that is not a number");
 }
 
-TEST_CASE("the points of both patterns are spread evenly over the square") {
+TEST_CASE("the points of every sampler are spread evenly over the square") {
     // Pearson's chi-square of 8 x 8 bins, 63 degrees of freedom: above 120.6 once in 50,000.
-    for (const Pattern pattern : patterns) {
+    for (const SamplerKind kind : kinds) {
         std::array<double, 64> bins{};
         const int count = 15, repeats = 4000;
-        Random random(11);
         for (int repeat = 0; repeat < repeats; ++repeat)
             for (int i = 0; i < count; ++i) {
-                const vec2 p = sample_point(pattern, i, count, random);
+                const vec2 p = first_point(kind, i, count, repeat, 11);
                 const int column = std::min(int(p.x * 8), 7), row = std::min(int(p.y * 8), 7);
                 bins[std::size_t(row * 8 + column)] += 1;
             }
         const double expected = double(count * repeats) / 64;
         double chi_square = 0;
         for (const double found : bins) chi_square += (found - expected) * (found - expected) / expected;
-        INFO(name(pattern) << ": beyond the limit some part of the pixel is sampled more often than another");
+        INFO(name(kind) << ": beyond the limit some part of the pixel is sampled more often than another");
         CHECK(chi_square < 120.6);
     }
 }
 
 TEST_CASE("x and y of a sample know nothing of each other") {
-    for (const Pattern pattern : patterns)
+    for (const SamplerKind kind : kinds)
         for (const Filter filter : filters) {
             Mean xy, squares;
-            Random random(13);
             const double variance = filter == Filter::box    ? 1.0 / 12
                                     : filter == Filter::tent ? 1.0 / 6
                                                              : 0.25;
             for (int i = 0; i < 40'000; ++i) {
-                const vec2 p = filter_offset(filter, sample_point(pattern, i % 16, 16, random), 1);
+                const vec2 p = filter_offset(filter, first_point(kind, i % 16, 16, i / 16, 13), 1);
                 xy.add(double(p.x * p.y));
                 squares.add((double(p.x * p.x) - variance) * (double(p.y * p.y) - variance));
             }
-            INFO(name(pattern) << ", " << name(filter)
-                               << ": the mean of x y is to be 0; as large as the mean of x^2, "
-                                  "all samples lie on a diagonal (Box-Muller with the cosine twice)");
+            INFO(name(kind) << ", " << name(filter)
+                            << ": the mean of x y is to be 0; as large as the mean of x^2, "
+                               "all samples lie on a diagonal (Box-Muller with the cosine twice)");
             INFO(xy.against(0));
             CHECK(std::abs(xy.z(0)) < 4);
             INFO("x^2 and y^2 are to be uncorrelated too: " << squares.against(0));
@@ -176,18 +179,17 @@ TEST_CASE("x and y of a sample know nothing of each other") {
 }
 
 TEST_CASE("every sample of every pixel has its own place") {
-    const auto first = [](Pattern pattern, int x, int y, int index, std::uint64_t seed) {
-        Random random(x, y, index, seed);
-        return sample_point(pattern, index, 16, random);
+    const auto first = [](SamplerKind kind, int x, int y, int index, std::uint64_t seed) {
+        return Sampler(kind, Sample{x, y, index, 16, Random(x, y, index, seed), seed}).uniform2();
     };
-    for (const Pattern pattern : patterns) {
-        INFO(name(pattern) << ": equal places mean one seed for all pixels (a fixed dirt over the picture)");
-        const vec2 here = first(pattern, 0, 0, 0, 1);
-        CHECK(here != first(pattern, 1, 0, 0, 1));
-        CHECK(here != first(pattern, 0, 1, 0, 1));
-        CHECK(first(pattern, 1, 0, 0, 1) != first(pattern, 0, 1, 0, 1));
-        CHECK(here != first(pattern, 0, 0, 0, 2));
-        CHECK_MESSAGE(here != first(pattern, 0, 0, 1, 1), "the generator starts again at every sample");
+    for (const SamplerKind kind : kinds) {
+        INFO(name(kind) << ": equal places mean one seed for all pixels (a fixed dirt over the picture)");
+        const vec2 here = first(kind, 0, 0, 0, 1);
+        CHECK(here != first(kind, 1, 0, 0, 1));
+        CHECK(here != first(kind, 0, 1, 0, 1));
+        CHECK(first(kind, 1, 0, 0, 1) != first(kind, 0, 1, 0, 1));
+        CHECK(here != first(kind, 0, 0, 0, 2));
+        CHECK_MESSAGE(here != first(kind, 0, 0, 1, 1), "the generator starts again at every sample");
     }
 }
 
@@ -195,8 +197,8 @@ TEST_CASE("render gives neighbouring pixels and samples different places") {
     std::array<vec2, 6> places{};
     Picture wanted = picture(2, 2, 2);
     wanted.threads = 1;
-    render(wanted, [&](Sample& sample) {
-        const vec2 u = sample_point(Pattern::random, sample.index, sample.count, sample.random);
+    render(wanted, [&](const Sample& sample) {
+        const vec2 u = Sampler(SamplerKind::random, sample).uniform2();
         const int pixel = sample.y * 2 + sample.x;
         if (pixel < 3) places[std::size_t(pixel * 2 + sample.index)] = u;
         return vec3(0);
@@ -339,17 +341,15 @@ TEST_CASE("a pixel beside an edge sees what its filter reaches across it") {
     // The edge stands .3 to the right of the middle: box .8, tent 1 - .7^2 / 2 = .755, Gaussian Phi(.6) =
     // .7257469.
     const std::array want{0.8, 0.755, 0.7257469};
-    for (const Pattern pattern : patterns)
+    for (const SamplerKind kind : kinds)
         for (const Filter filter : filters)
             for (const vec2 axis : {vec2(1, 0), vec2(0, 1), vec2(-1, 0), vec2(0, -1)}) {
                 Mean mean;
-                Random random(31);
                 for (int i = 0; i < 64 * 400; ++i) {
-                    const vec2 p = filter_offset(filter, sample_point(pattern, i % 64, 64, random), 1);
+                    const vec2 p = filter_offset(filter, first_point(kind, i % 64, 64, i / 64, 31), 1);
                     mean.add(dot(p, axis) < 0.3f ? 1 : 0);
                 }
-                INFO(name(pattern) << ", " << name(filter) << ": "
-                                   << mean.against(want[std::size_t(filter)]));
+                INFO(name(kind) << ", " << name(filter) << ": " << mean.against(want[std::size_t(filter)]));
                 CHECK(std::abs(mean.z(want[std::size_t(filter)])) < 4);
             }
 }
@@ -360,7 +360,7 @@ TEST_CASE("an edge that covers half a pixel shows 188 of 255") {
     for (const Filter filter : filters)
         for (const vec2 outward : {vec2(1, 0), vec2(0, -1)}) {
             const Film film =
-                photograph(picture(3, 3, 256), Pattern::stratified, filter, 1, edge(vec2(1.5f), outward));
+                photograph(picture(3, 3, 256), SamplerKind::stratified, filter, 1, edge(vec2(1.5f), outward));
             const int shown = byte_of(film.mean(1, 1).x);
             INFO(name(filter) << ": got " << shown
                               << ". 128 is an average after the sRGB curve: average light, then "
@@ -371,22 +371,22 @@ TEST_CASE("an edge that covers half a pixel shows 188 of 255") {
 
 TEST_CASE("light far above 1 is averaged as light") {
     // A lamp of 40 that covers the left tenth of a pixel.
-    const Film film = photograph(picture(1, 1, 400), Pattern::stratified, Filter::box, 1,
+    const Film film = photograph(picture(1, 1, 400), SamplerKind::stratified, Filter::box, 1,
                                  [](vec2 p) { return p.x < 0.1f ? vec3(40, 20, 4) : vec3(0); });
     INFO("a mean of .1 in all channels: clamped to 1 before it was averaged");
     CHECK(film.mean(0, 0) == approx(vec3(4, 2, 0.4f), 1e-4f));
 }
 
 TEST_CASE("a constant stays what it is") {
-    for (const Pattern pattern : patterns)
+    for (const SamplerKind kind : kinds)
         for (const Filter filter : filters)
             for (const int samples : {1, 2, 3, 7, 16, 61}) {
-                const Film film = photograph(picture(3, 2, samples), pattern, filter, 1.5f,
+                const Film film = photograph(picture(3, 2, samples), kind, filter, 1.5f,
                                              [](vec2) { return vec3(4, 0.001f, 0.7f); });
                 const vec3 got = film.mean(2, 1);
                 INFO(
                     samples
-                    << " samples, " << name(pattern) << ", " << name(filter) << ": got " << to_text(got)
+                    << " samples, " << name(kind) << ", " << name(filter) << ": got " << to_text(got)
                     << "; a multiple of it is a sum that was not divided or weights that do not add up to 1, "
                        "0 in green is a sum in 8 bit");
                 CHECK(got.x == 4.0f);
@@ -398,18 +398,18 @@ TEST_CASE("a constant stays what it is") {
 TEST_CASE("the mean of a ramp is its value in the middle of the pixel") {
     // f = 3 x - 2 y + 5, pixel (2, 1) of 4 x 3.
     const double want = 3 * 2.5 - 2 * 1.5 + 5;
-    for (const Pattern pattern : patterns)
+    for (const SamplerKind kind : kinds)
         for (const Filter filter : filters) {
             Mean mean;
             for (std::uint64_t seed = 0; seed < 300; ++seed) {
-                const Film film = photograph(picture(4, 3, 25, seed), pattern, filter, 1.2f,
+                const Film film = photograph(picture(4, 3, 25, seed), kind, filter, 1.2f,
                                              [](vec2 p) { return vec3(3 * p.x - 2 * p.y + 5); });
                 mean.add(double(film.mean(2, 1).x));
             }
-            INFO(name(pattern)
-                 << ", " << name(filter) << ": " << mean.against(want)
-                 << "; half a slope too much or too little: samples around the corner of the pixel "
-                    "in place of its middle");
+            INFO(
+                name(kind) << ", " << name(filter) << ": " << mean.against(want)
+                           << "; half a slope too much or too little: samples around the corner of the pixel "
+                              "in place of its middle");
             CHECK(std::abs(mean.z(want)) < 4);
         }
 }
@@ -417,7 +417,7 @@ TEST_CASE("the mean of a ramp is its value in the middle of the pixel") {
 TEST_CASE("a line too thin for one sample is as bright as its share of the pixel") {
     // A slanted wire .1 wide that crosses the whole picture covers .1 sqrt(1 + .2^2) of every column of
     // pixels.
-    const Film film = photograph(picture(20, 12, 100), Pattern::stratified, Filter::box, 1, [](vec2 p) {
+    const Film film = photograph(picture(20, 12, 100), SamplerKind::stratified, Filter::box, 1, [](vec2 p) {
         return std::abs(p.y - 5 - 0.2f * (p.x - 8)) < 0.05f * std::sqrt(1.04f) ? vec3(1) : vec3(0);
     });
     Mean column;
@@ -430,35 +430,33 @@ TEST_CASE("a line too thin for one sample is as bright as its share of the pixel
     CHECK(std::abs(column.z(0.1 * std::sqrt(1.04))) < 4);
 }
 
-TEST_CASE("16 stratified samples leave less than half of the variance of an edge that 16 random ones leave") {
+TEST_CASE("16 even samples leave less than half of the variance of an edge that 16 random ones leave") {
     // The line passes through pixels at all angles and distances; p is the share that lies on its inner side.
-    Mean stratified, random_one;
+    std::array<Mean, 3> variance;
     Random shapes(37);
     for (int trial = 0; trial < 60; ++trial) {
         const float angle = 2 * pi * shapes.uniform();
         const vec2 outward(std::cos(angle), std::sin(angle));
         const vec2 through = vec2(0.5f) + (shapes.uniform() - 0.5f) * 0.6f * outward;
-        for (const Pattern pattern : patterns) {
+        for (const SamplerKind kind : kinds) {
             double share = 0, squares = 0;
             std::array<double, 100> got{};
             for (int pixel = 0; pixel < 100; ++pixel) {
                 int inside = 0;
-                for (int i = 0; i < 16; ++i) {
-                    Random random(pixel, trial, i, 41);
-                    inside += dot(sample_point(pattern, i, 16, random) - through, outward) < 0;
-                }
+                for (int i = 0; i < 16; ++i)
+                    inside += dot(first_point(kind, i, 16, trial * 100 + pixel, 41) - through, outward) < 0;
                 got[std::size_t(pixel)] = inside / 16.0;
                 share += inside / 1600.0;
             }
             for (const double value : got) squares += (value - share) * (value - share) / 99;
             if (share > 0.05 && share < 0.95)
-                (pattern == Pattern::stratified ? stratified : random_one)
-                    .add(squares / (share * (1 - share) / 16));
+                variance[std::size_t(kind)].add(squares / (share * (1 - share) / 16));
         }
     }
-    INFO("in units of p (1 - p) / 16, random samples left " << random_one.mean() << " and stratified ones "
-                                                            << stratified.mean());
+    const auto& [random, stratified, sobol] = variance;
+    INFO("in units of p (1 - p) / 16, random samples left "
+         << random.mean() << ", stratified ones " << stratified.mean() << ", Sobol ones " << sobol.mean());
     CHECK_MESSAGE(stratified.mean() < 0.5, "as much as random ones: the samples are not held in their cells");
-    CHECK_MESSAGE(std::abs(random_one.z(1)) < 4,
-                  "the random pattern is to be random: " << random_one.against(1));
+    CHECK_MESSAGE(sobol.mean() < 0.5, "as much as random ones: the points are not those of Sobol");
+    CHECK_MESSAGE(std::abs(random.z(1)) < 4, "random samples are to be random: " << random.against(1));
 }

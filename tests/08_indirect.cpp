@@ -1,9 +1,10 @@
 // Facts about light that has been around: bounces, area lights, and walks whose answer is known in closed
 // form. Noisy facts are z-tests with a fixed seed: a right renderer is beyond |z| = 4 in one run of 16,000.
-#include "06_textures/scene.h"
 #include "08_indirect/area_light.h"
 #include "08_indirect/bounce.h"
+#include "08_indirect/metal.h"
 #include "08_indirect/radiance.h"
+#include "08_indirect/scene.h"
 #include "common/obj_file.h"
 #include "tests/check.h"
 
@@ -14,6 +15,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -99,11 +101,15 @@ Scene ball_room(vec3 albedo, vec3 emission) {
     prepare(scene);
     return scene;
 }
+const std::array all_ways{Direct::mis, Direct::lights, Direct::bounces};
 const Ray in_ball_room{{0.5f, 0.3f, 2.5f}, normalize(vec3(0.7f, 0.2f, -0.4f))};
 
 std::string words(const Transport& transport) {
     return "depth " + std::to_string(transport.depth) + (transport.indirect ? "" : ", no indirect light") +
-           (transport.sample_lights ? ", lights sampled" : ", lights found by chance") +
+           (transport.direct == Direct::mis      ? ", lights sampled and found"
+            : transport.direct == Direct::lights ? ", lights sampled"
+                                                 : ", lights found by chance") +
+           (transport.spread == Spread::cosine ? "" : ", uniform bounces") +
            (transport.roulette ? ", roulette" : ", no roulette");
 }
 
@@ -282,6 +288,103 @@ TEST_CASE("roulette ends dim paths oftener than bright ones, and black ones at o
     CHECK(survivors(vec3(0)) == 0);
 }
 
+TEST_CASE("unit vectors go to all sides alike, uniform bounces to all sides above the surface") {
+    const int samples = 40'000;
+    std::array<Mean, 3> mean, square;
+    Random random(67);
+    for (int i = 0; i < samples; ++i) {
+        const vec3 direction = unit_vector(random.uniform2());
+        REQUIRE(length(direction) == approx(1));
+        for (int k = 0; k < 3; ++k) {
+            mean[std::size_t(k)].add(double(direction[k]));
+            square[std::size_t(k)].add(double(direction[k] * direction[k]));
+        }
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+        INFO("axis " << k << ": mean " << mean[k].against(0) << "; of the square "
+                     << square[k].against(1.0 / 3));
+        CHECK(off(mean[k], 0) < 4);
+        CHECK(off(square[k], 1.0 / 3) < 4);
+    }
+    // 8 x 12 cells of equal solid angle: 95 degrees of freedom, above 163.3 once in 50,000.
+    for (const vec3 normal : {normals[4], normals[2], normals[8]}) {
+        std::vector<double> found(96), even(96, samples / 96.0);
+        for (int i = 0; i < samples; ++i) {
+            const vec3 direction = bounce_direction(Spread::uniform, normal, random.uniform2());
+            const float cosine = dot(direction, normal);
+            REQUIRE_MESSAGE(cosine >= 0, "below the surface");
+            const int row = std::clamp(int(cosine * 8), 0, 7);
+            found[std::size_t(row * 12 + int(azimuth(normal, direction) * 12))] += 1;
+        }
+        INFO("normal " << to_text(normal) << ": by the cosine would crowd around the normal");
+        CHECK(chi_square(found, even) < 163.3);
+    }
+    CHECK_MESSAGE(bounce_pdf(Spread::uniform, 0.3f) == approx(1 / (2 * pi)), "2 pi directions, all alike");
+    CHECK(bounce_pdf(Spread::uniform, -0.3f) == 0);
+    CHECK(bounce_pdf(Spread::cosine, 0.3f) == cosine_pdf(0.3f));
+}
+
+// ---- metal
+
+TEST_CASE("a metal without fuzz is a mirror") {
+    for (const vec3 normal : normals) {
+        const Hit hit = facing({1, 2, 3}, normal);
+        const vec3 direction = 1.7f * normalize(tangents(normal).u - 0.6f * normal);
+        const auto ray =
+            metal_ray(Metal{vec3(0.5f)}, {vec3(1, 2, 3) - direction, direction}, hit, {0.3f, 0.8f});
+        REQUIRE(ray);
+        INFO("normal " << to_text(normal));
+        CHECK(normalize(ray->direction) == approx(normalize(reflect(direction, normal))));
+        CHECK(ray->origin == approx(offset_position(hit, ray->direction)));
+    }
+}
+
+TEST_CASE("a fuzzy metal strays evenly around the mirror's direction, and loses what goes into the surface") {
+    // On the ball of radius f around the unit mirrored direction, heights are even: with the cosine c of the mirrored
+    // ray a share (1 - c / f) / 2 lies below the surface.
+    for (const float fuzz : {0.2f, 0.7f, 1.0f})
+        for (const float cosine : {0.1f, 0.45f, 0.95f}) {
+            const vec3 normal = normals[5];
+            const vec3 along = tangents(normal).v;
+            const vec3 direction = 2.5f * (std::sqrt(1 - cosine * cosine) * along - cosine * normal);
+            const vec3 mirrored = normalize(reflect(direction, normal));
+            const Hit hit = facing({1, 2, 3}, normal);
+            Mean lost, height, squared;
+            Random random(71);
+            for (int i = 0; i < 20'000; ++i) {
+                const auto ray = metal_ray(Metal{vec3(1), fuzz}, {vec3(1, 2, 3) - direction, direction}, hit,
+                                           random.uniform2());
+                lost.add(ray ? 0 : 1);
+                if (!ray) continue;
+                REQUIRE(dot(ray->direction, normal) > 0);
+                const vec3 strayed = ray->direction - mirrored;
+                height.add(double(dot(strayed, mirrored)));
+                squared.add(double(dot(strayed, strayed)));
+            }
+            const double share_lost = std::max(0.0, (1 - double(cosine / fuzz)) / 2);
+            INFO("fuzz " << fuzz << ", cosine " << cosine << ": lost " << lost.against(share_lost)
+                         << "; the direction of the incoming ray is to have unit length first");
+            CHECK(off(lost, share_lost) < 4);
+            CHECK(float(squared.mean()) == approx(fuzz * fuzz, 1e-4f));
+            if (share_lost == 0) CHECK(off(height, 0) < 4);
+        }
+}
+
+TEST_CASE("in a white world a metal shows its albedo, less what its fuzz loses") {
+    for (const float fuzz : {0.0f, 0.3f, 1.0f}) {
+        Scene scene;
+        scene.sky = {vec3(1), vec3(1)};
+        scene.quads = {{{-1, -1, -4}, {2, 0, 0}, {0, 2, 0}, add(scene, Metal{vec3(0.8f), fuzz})}};
+        const float cosine = 0.25f;
+        const vec3 direction(0, std::sqrt(1 - cosine * cosine), -cosine);
+        const Mean mean =
+            seen(scene, {.depth = 3, .roulette = false}, {vec3(0, 0, -4) - direction, direction});
+        const double kept = fuzz > cosine ? 1 - (1 - double(cosine / fuzz)) / 2 : 1;
+        INFO("fuzz " << fuzz << ": " << mean.against(0.8 * kept));
+        CHECK(off(mean, 0.8 * kept) < 4);
+    }
+}
+
 // ---- points on lights
 
 TEST_CASE("the points of a light are spread evenly over it") {
@@ -319,7 +422,7 @@ TEST_CASE("the points of a light are spread evenly over it") {
           }) < 120.6);
 }
 
-TEST_CASE("the points of a light lie on it, face along its normal, and know their density") {
+TEST_CASE("the points of a light lie on it, and face along its normal") {
     const Quad quad{{1, 2, -1}, {2, 0.5f, 0.3f}, {0.9f, 1, 1.5f}, 0};
     const LightTriangle triangle{{1, 0, 2}, {3, 0.5f, 1}, {0.5f, 2, -1}};
     const Sphere sphere{{-1, 2, 0.5f}, 2.5f, 0};
@@ -338,9 +441,6 @@ TEST_CASE("the points of a light lie on it, face along its normal, and know thei
         REQUIRE(std::abs(dot(b.normal, normalize(triangle_normal))) == approx(1));
         REQUIRE(distance(c.position, sphere.center) == approx(2.5f));
         REQUIRE(c.position == approx(sphere.center + 2.5f * c.normal));
-        REQUIRE_MESSAGE(a.density * length(quad_normal) == approx(1), "1 / area of the parallelogram");
-        REQUIRE_MESSAGE(b.density * length(triangle_normal) == approx(2), "1 / area, half the cross product");
-        REQUIRE_MESSAGE(c.density * 4 * pi * 2.5f * 2.5f == approx(1), "1 / (4 pi r^2)");
         height.add(double(std::abs(dot(c.normal, normals[5]))));
     }
     INFO("mean |cosine| of uniform directions, 1/2: " << height.against(0.5));
@@ -510,6 +610,117 @@ TEST_CASE("a scene without area lights gets none of their light") {
     CHECK(received(scene, {0, 0, 0}, {0, 1, 0}, 100).mean() == 0);
 }
 
+// ---- two ways to find a lamp
+
+TEST_CASE("the shares of two ways to find the same light add up to one") {
+    const float most = std::numeric_limits<float>::max();
+    for (const float p : {1e-30f, 1e-6f, 0.3f, 1.0f, 7.0f, 1e9f, most})
+        for (const float q : {1e-30f, 1e-6f, 0.2f, 1.0f, 50.0f, 1e9f, most}) {
+            INFO("densities " << p << " and " << q << ": " << share(p, q) << " and " << share(q, p));
+            REQUIRE(share(p, q) + share(q, p) == approx(1, 1e-6f));
+        }
+    CHECK_MESSAGE(share(3, 0) == 1, "alone, a way gets all");
+    CHECK_MESSAGE(share(3, 1) == approx(0.9f), "3^2 / (3^2 + 1^2); 3/4 would be the balance heuristic");
+    CHECK(share(1e-3f, most) == 0);
+}
+
+TEST_CASE("the density of a direction towards lamps is that with which they are picked") {
+    // The mean of 1 / p(w) over picked points is the solid angle that they fill, front and back.
+    Scene scene;
+    scene.quads = {{{1, 2, -1}, {2, 0.5f, 0.3f}, {0.9f, 1, 1.5f}, add(scene, flat(vec3(0.5f, 9, 9)))}};
+    scene.spheres = {{{-2, 3, -1}, 0.8f, add(scene, flat(vec3(6, 0, 1)))}};
+    const std::array<vec3, 3> triangle{vec3(-1, 4, 2), vec3(1, 4.5f, 1), vec3(0.5f, 5, 3)};
+    add_triangle(scene, triangle[0], triangle[1], triangle[2], add(scene, flat(vec3(20, 1, 1))));
+    const vec3 from(0.2f, -0.3f, 0.7f);
+    // Van Oosterom and Strackee 1983: tan(W / 2) = a.(b x c) / (1 + a.b + b.c + c.a) for unit a, b, c.
+    const auto angle = [&](vec3 p, vec3 q, vec3 r) {
+        const dvec3 a = normalize(dvec3(p - from)), b = normalize(dvec3(q - from)),
+                    c = normalize(dvec3(r - from));
+        return 2 * std::atan2(std::abs(dot(a, cross(b, c))), 1 + dot(a, b) + dot(b, c) + dot(c, a));
+    };
+    const std::vector<vec3> quad = corners_of(scene.quads[0]);
+    const double reach = double(distance(from, scene.spheres[0].center));
+    const std::array want{angle(quad[0], quad[1], quad[2]) + angle(quad[0], quad[2], quad[3]),
+                          2 * 2 * double(pi) * (1 - std::sqrt(1 - 0.64 / (reach * reach))), // both its sides
+                          angle(triangle[0], triangle[1], triangle[2])};
+    const AreaLights lights = area_lights(scene);
+    std::array<Mean, 3> mean;
+    Random random(73);
+    for (int i = 0; i < 60'000; ++i) {
+        const LightPoint point = light_point(lights, random.uniform2());
+        const vec3 way = point.position - from;
+        const float cosine = dot(normalize(way), point.normal);
+        const double inverse = 1 / double(light_pdf(lights, point.emission, length(way), cosine));
+        const std::size_t which = point.emission.x == 0.5f ? 0 : point.emission.x == 6 ? 1 : 2;
+        for (std::size_t k = 0; k < 3; ++k) mean[k].add(k == which ? inverse : 0);
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+        INFO("light " << k << " (quad, ball, triangle) fills " << mean[k].against(want[k]));
+        INFO("wrong by a constant: the area or the power; by the place: the distance or the cosine");
+        CHECK(off(mean[k], want[k]) < 4);
+    }
+    CHECK_MESSAGE(std::isfinite(light_pdf(lights, vec3(1), 1, 0)), "a lamp seen edge-on");
+    CHECK_MESSAGE(light_pdf(AreaLights{}, vec3(1), 1, 0.5f) == 0, "no lamp, no density");
+}
+
+TEST_CASE("near a large lamp, however it is looked for, the same light arrives") {
+    // A floor point close below a lamp that fills much of its sky: quad, triangle or ball.
+    const vec3 position(0.2f, 0, 0.3f), up(0, 1, 0);
+    const std::vector<vec3> triangle{{-2, 0.3f, -1}, {2.5f, 0.5f, -1.5f}, {0.2f, 0.4f, 3}};
+    for (int kind = 0; kind < 3; ++kind) {
+        Scene scene;
+        const int lamp = add(scene, flat(vec3(3)));
+        scene.planes = {{{0, 0, 0}, up, add(scene, Diffuse{vec3(0.6f)})}};
+        double factor = 0;
+        if (kind == 0) {
+            scene.quads = {{{-1.5f, 0.4f, -1.5f}, {3, 0.3f, 0}, {0, 0.1f, 3}, lamp}};
+            factor = form_factor(corners_of(scene.quads[0]), position, up);
+        } else if (kind == 1) {
+            add_triangle(scene, triangle[0], triangle[1], triangle[2], lamp);
+            factor = form_factor(triangle, position, up);
+        } else {
+            scene.spheres = {{{0.5f, 1.3f, 0.1f}, 1, lamp}};
+            const vec3 way = scene.spheres[0].center - position;
+            factor = double(dot(normalize(way), up)) / double(dot(way, way));
+        }
+        for (const Direct direct : all_ways)
+            for (const Spread spread : {Spread::cosine, Spread::uniform}) {
+                const Transport transport{1, true, direct, false, spread};
+                const Mean mean =
+                    seen(scene, transport, {position + vec3(-9, 0.5f, 0), vec3(9, -0.5f, 0)}, 40'000);
+                INFO((kind == 0   ? "quad, "
+                      : kind == 1 ? "triangle, "
+                                  : "ball, ")
+                     << words(transport) << ": " << mean.against(0.6 * 3 * factor));
+                INFO("with both ways too bright or too dark: their shares do not add up, or one has "
+                     "another's density");
+                CHECK(off(mean, 0.6 * 3 * factor) < 4);
+            }
+    }
+}
+
+TEST_CASE("both ways together are less noisy than either, near a lamp and far from it") {
+    // A large lamp just above the floor, where asking is bad, and a small one far above, where chance is bad.
+    const auto variance = [](bool both, Direct direct) {
+        Scene scene;
+        scene.planes = {{{0, 0, 0}, {0, 1, 0}, add(scene, Diffuse{vec3(0.6f)})}};
+        scene.quads = {{{-1.5f, 0.15f, -1.5f}, {3, 0.2f, 0}, {0, 0.1f, 3}, add(scene, flat(vec3(1)))}};
+        if (both) {
+            scene.quads[0] = {{0.25f, 0.05f, -1.5f}, {1.5f, 1.2f, 0}, {0, 0, 3}, scene.quads[0].material};
+            scene.quads.push_back({{-1, 4, 0}, {0.3f, 0, 0}, {0, 0, 0.3f}, add(scene, flat(vec3(40)))});
+        }
+        const Transport transport{1, true, direct, false};
+        return seen(scene, transport, {vec3(-9, 0.2f, 0.3f), vec3(9.2f, -0.2f, 0)}, 40'000).variance();
+    };
+    for (const bool both : {false, true}) {
+        const double mis = variance(both, Direct::mis);
+        const double lights = variance(both, Direct::lights), bounces = variance(both, Direct::bounces);
+        INFO("variance " << mis << " with both, " << lights << " asked, " << bounces << " by chance");
+        CHECK(mis < 0.9 * lights);
+        if (both) CHECK(mis < 0.9 * bounces);
+    }
+}
+
 // ---- the walk, in closed form
 
 TEST_CASE("a closed furnace reads Le (1 - rho^(k+1)) / (1 - rho) after k bounces") {
@@ -517,9 +728,9 @@ TEST_CASE("a closed furnace reads Le (1 - rho^(k+1)) / (1 - rho) after k bounces
     const vec3 albedo(0.8f, 0.5f, 0.4f), emission(1, 1, 2.5f);
     const Scene scene = ball_room(albedo, emission);
     const AreaLights lights = area_lights(scene);
-    for (const bool sample_lights : {false, true})
+    for (const Direct direct : all_ways)
         for (const int depth : {0, 1, 2, 5, 60}) {
-            const Transport transport{depth, true, sample_lights, false};
+            const Transport transport{depth, true, direct, false};
             const vec3 want = emission * (1.0f - pow(albedo, vec3(float(depth + 1)))) / (1.0f - albedo);
             Random random(23);
             for (int i = 0; i < 30; ++i) {
@@ -537,9 +748,9 @@ TEST_CASE("a closed furnace reads Le (1 - rho^(k+1)) / (1 - rho) after k bounces
 
 TEST_CASE("roulette leaves a furnace at Le / (1 - rho)") {
     const auto check = [](float rho, int depth, double want) {
-        for (const bool sample_lights : {false, true}) {
+        for (const Direct direct : all_ways) {
             Scene scene = ball_room(vec3(rho), vec3(1));
-            const Transport transport{depth, true, sample_lights, true};
+            const Transport transport{depth, true, direct, true};
             const Mean mean = seen(scene, transport, in_ball_room);
             INFO("rho " << rho << ", " << words(transport) << ": " << mean.against(want)
                         << "; too dark: survivors are to be divided by their probability");
@@ -554,10 +765,10 @@ TEST_CASE("roulette leaves a furnace at Le / (1 - rho)") {
 TEST_CASE("without indirect light a furnace reads its own light and one bounce") {
     const Scene scene = ball_room(vec3(0.8f, 0.5f, 0.4f), vec3(1, 2, 3));
     const AreaLights lights = area_lights(scene);
-    for (const bool sample_lights : {false, true})
+    for (const Direct direct : all_ways)
         for (const bool with_roulette : {false, true})
             for (const int depth : {0, 1, 7}) {
-                const Transport transport{depth, false, sample_lights, with_roulette};
+                const Transport transport{depth, false, direct, with_roulette};
                 const vec3 want = vec3(1, 2, 3) * (depth == 0 ? vec3(1) : vec3(1.8f, 1.5f, 1.4f));
                 Random random(29);
                 const vec3 got = radiance(scene, lights, transport, in_ball_room, random);
@@ -638,14 +849,14 @@ TEST_CASE("slopes receive of a graded sky what is in front of them") {
 
 TEST_CASE("found by chance, a bright ball sends as much as when it is asked") {
     // The lamp is small and bright: what clamps its rare, large samples loses their light.
-    for (const bool sample_lights : {false, true}) {
+    for (const Direct direct : all_ways) {
         Scene scene;
         const int floor = add(scene, Diffuse{vec3(0.6f)});
         scene.planes = {{{0, 0, 0}, normalize(vec3(0.2f, 1, -0.1f)), floor}};
         scene.spheres = {{{1, 2, -1.5f}, 0.3f, add(scene, flat(vec3(500)))}};
         const vec3 normal = scene.planes[0].normal, way(1, 2, -1.5f);
         const double want = 0.6 * 500 * 0.09 / double(dot(way, way)) * double(dot(normalize(way), normal));
-        const Transport transport{1, true, sample_lights, false};
+        const Transport transport{1, true, direct, false};
         const Mean mean = seen(scene, transport, {{-3, 2, 2}, {3, -2, -2}}, 60'000);
         INFO(words(transport) << ": " << mean.against(want));
         CHECK(off(mean, want) < 4);
@@ -656,12 +867,11 @@ TEST_CASE("a lamp is as bright as its emission, with its own reflection of other
     Scene scene;
     scene.quads = {{{-1, -1, -4}, {2, 0, 0.5f}, {0, 2, 0}, add(scene, flat(vec3(17, 12, 7)))}};
     prepare(scene);
-    for (const bool sample_lights : {false, true})
+    for (const Direct direct : all_ways)
         for (const int depth : {0, 1, 5}) {
             Random random(41);
-            const vec3 got =
-                radiance(scene, area_lights(scene), {.depth = depth, .sample_lights = sample_lights},
-                         {{0, 0, 0}, {0.1f, 0.1f, -1}}, random);
+            const vec3 got = radiance(scene, area_lights(scene), {.depth = depth, .direct = direct},
+                                      {{0, 0, 0}, {0.1f, 0.1f, -1}}, random);
             CHECK_MESSAGE(got == approx(vec3(17, 12, 7)),
                           "black: emission is to be added where the eye meets the lamp");
         }
@@ -689,7 +899,7 @@ TEST_CASE("point lights light the first surface as they do in step 02") {
             want = lit(scene, *hit, diffuse ? *diffuse : at(std::get<Checker>(material), hit->uv));
         }
         const vec3 got =
-            radiance(scene, AreaLights{}, {.depth = 1, .sample_lights = i % 2 == 0}, ray, random);
+            radiance(scene, AreaLights{}, {.depth = 1, .direct = all_ways[std::size_t(i % 3)]}, ray, random);
         INFO("towards " << to_text(aim) << ": expected " << to_text(want) << ", got " << to_text(got));
         REQUIRE(got == approx(want));
     }
@@ -709,7 +919,7 @@ TEST_CASE("pictures and tiles give the walk their albedo, pictures their light t
     prepare(tiled);
     Random random(47);
     for (int i = 0; i < 200; ++i) {
-        const Transport transport{1 + i % 3, true, i % 2 == 0, false};
+        const Transport transport{1 + i % 3, true, all_ways[std::size_t(i % 3)], false};
         const vec3 card =
             radiance(scene, area_lights(scene), transport, {{0, 0, 0}, {0.1f, 0.1f, -1}}, random);
         REQUIRE(card == approx(vec3(3, 0, 1) + 0.5f * vec3(1, 0.2158605f, 0.0331048f)));
@@ -732,8 +942,8 @@ TEST_CASE("a coat of reflectivity k shows k of the mirror and 1 - k of what lies
         twice.quads = {{{-1, -1, -4}, {2, 0, 0.5f}, {0, 2, 0}, second}};
         const double one = double(k) * 0.9 + (1 - double(k)) * (2 + 0.4);
         const double two = 0.5 * 0.6 + 0.5 * one;
-        for (const bool sample_lights : {false, true}) {
-            const Transport transport{3, true, sample_lights, false};
+        for (const Direct direct : all_ways) {
+            const Transport transport{3, true, direct, false};
             const Ray ray{{0, 0, 0}, {0.1f, 0.1f, -1}};
             const Mean single = seen(once, transport, ray), both = seen(twice, transport, ray);
             INFO("k = " << k << ": " << single.against(one)
@@ -748,7 +958,7 @@ TEST_CASE("a coat of reflectivity k shows k of the mirror and 1 - k of what lies
 }
 
 TEST_CASE("a coated lamp lights its surroundings as if it were 1 - k as bright") {
-    for (const bool sample_lights : {false, true}) {
+    for (const Direct direct : all_ways) {
         Scene scene;
         const int floor = add(scene, Diffuse{vec3(0.6f)});
         const int coat = add(scene, Reflective{0.25f, add(scene, flat(vec3(8)))});
@@ -757,7 +967,7 @@ TEST_CASE("a coated lamp lights its surroundings as if it were 1 - k as bright")
         // The mirror's half of a bounce goes to the sky, which is black, or past the lamp to the floor.
         const vec3 position(0.2f, 0, 0.3f);
         const double want = 0.6 * 6 * form_factor(corners_of(scene.quads[0]), position, {0, 1, 0});
-        const Transport transport{1, true, sample_lights, false};
+        const Transport transport{1, true, direct, false};
         const Mean mean = seen(scene, transport, {position + vec3(-2, 1, 1), vec3(2, -1, -1)}, 40'000);
         INFO(words(transport) << ": " << mean.against(want));
         CHECK(off(mean, want) < 4);
@@ -780,7 +990,7 @@ TEST_CASE("the depth counts mirrors: k of them leave s^k, and one fewer leaves n
             std::array<Mean, 2> mean;
             Random random(53);
             for (int i = 0; i < 4000; ++i) {
-                const Transport transport{depth, i % 2 == 0, i % 3 == 0, with_roulette};
+                const Transport transport{depth, i % 2 == 0, all_ways[std::size_t(i % 3)], with_roulette};
                 const vec3 got =
                     radiance(scene, AreaLights{}, transport, {{0.5f, 0, 0}, {1, 1, 0.2f}}, random);
                 mean[0].add(double(got.x));
@@ -878,7 +1088,7 @@ TEST_CASE("a coloured medium without end lets nothing through") {
 
 TEST_CASE("a mirror on the wall doubles a lamp: its caustic is neither lost nor counted twice") {
     // The mirror wall x = -1 shows the lamp once more, with its tint, at x -> -2 - x.
-    for (const bool sample_lights : {false, true}) {
+    for (const Direct direct : all_ways) {
         Scene scene;
         const int floor = add(scene, Diffuse{vec3(0.6f)});
         const int wall = add(scene, Mirror{vec3(0.7f)});
@@ -888,25 +1098,25 @@ TEST_CASE("a mirror on the wall doubles a lamp: its caustic is neither lost nor 
         const vec3 position(-0.3f, 0, 0.2f), up(0, 1, 0);
         std::vector<vec3> image = corners_of(lamp);
         for (vec3& corner : image) corner.x = -2 - corner.x;
-        const double direct = 0.6 * 5 * form_factor(corners_of(lamp), position, up);
+        const double straight = 0.6 * 5 * form_factor(corners_of(lamp), position, up);
         const double caustic = 0.6 * 5 * 0.7 * form_factor(image, position, up);
         const Ray ray{position + vec3(1, 3, 1), vec3(-1, -3, -1)};
         const auto check = [&](const Transport& transport, double want) {
             const Mean mean = seen(scene, transport, ray, 40'000);
-            INFO(words(transport) << ": " << mean.against(want) << "; " << direct << " directly, " << caustic
-                                  << " by the mirror");
+            INFO(words(transport) << ": " << mean.against(want) << "; " << straight << " directly, "
+                                  << caustic << " by the mirror");
             CHECK(off(mean, want) < 4);
         };
-        check({2, true, sample_lights, false}, direct + caustic);
-        check({2, true, sample_lights, true}, direct + caustic);
-        check({1, true, sample_lights, false}, direct);
+        check({2, true, direct, false}, straight + caustic);
+        check({2, true, direct, true}, straight + caustic);
+        check({1, true, direct, false}, straight);
     }
 }
 
 TEST_CASE("a lamp behind clear glass shines through it, once") {
     // A ball of index 1 around the lamp bends nothing: all its light is a caustic that light sampling cannot
     // see.
-    for (const bool sample_lights : {false, true}) {
+    for (const Direct direct : all_ways) {
         Scene scene;
         const int floor = add(scene, Diffuse{vec3(0.6f)});
         const int lamp = add(scene, flat(vec3(5)));
@@ -915,7 +1125,7 @@ TEST_CASE("a lamp behind clear glass shines through it, once") {
         scene.spheres = {{{0, 2.1f, 0}, 1.2f, add(scene, Glass{{1.0f}})}};
         const vec3 position(0.3f, 0, 0.2f);
         const double want = 0.6 * 5 * form_factor(corners_of(scene.quads[0]), position, {0, 1, 0});
-        const Transport transport{3, true, sample_lights, false};
+        const Transport transport{3, true, direct, false};
         const Mean mean = seen(scene, transport, {position + vec3(-3, 1, 1), vec3(3, -1, -1)}, 40'000);
         INFO(words(transport) << ": " << mean.against(want));
         CHECK(off(mean, want) < 4);
@@ -947,10 +1157,10 @@ TEST_CASE("triangles with Ke in a mesh's MTL are area lights on both sides") {
     CHECK_MESSAGE(lights.list.size() == 12, "every triangle that glows is a light of its own");
     Random random(61);
     const Ray inside{{0.7f, 0.4f, 1.2f}, {0.3f, -0.5f, 0.2f}};
-    const vec3 chance = radiance(closed, lights, {60, true, false, false}, inside, random);
+    const vec3 chance = radiance(closed, lights, {60, true, Direct::bounces, false}, inside, random);
     INFO("Ke 1, Kd .5, closed: Ke / (1 - Kd) = 2");
     CHECK(chance == approx(vec3(2, 4, 0), 1e-4f));
-    const Mean once = seen(closed, {1, true, true, false}, inside);
+    const Mean once = seen(closed, {1, true, Direct::lights, false}, inside);
     INFO("lights sampled, one bounce: " << once.against(1.5));
     CHECK(off(once, 1.5) < 4);
 
@@ -958,8 +1168,8 @@ TEST_CASE("triangles with Ke in a mesh's MTL are area lights on both sides") {
     add(open, lamp, 30);
     const std::vector<vec3> triangle{{-0.5f, 2, -0.5f}, {0.7f, 2.3f, -0.4f}, {0.1f, 2.1f, 0.8f}};
     const double want = 0.6 * 6 * form_factor(triangle, {0.4f, 0, -0.3f}, {0, 1, 0});
-    for (const bool sample_lights : {false, true}) {
-        const Transport transport{1, true, sample_lights, false};
+    for (const Direct direct : all_ways) {
+        const Transport transport{1, true, direct, false};
         const Mean mean = seen(open, transport, {{2.4f, 1, -1.3f}, {-2, -1, 1}}, 40'000);
         INFO("under the lamp, " << words(transport) << ": " << mean.against(want));
         CHECK(off(mean, want) < 4);

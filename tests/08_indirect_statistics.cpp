@@ -1,10 +1,10 @@
 // Facts about light that has been around, in scenes without a closed form: two ways to look for the same
 // light agree, and the way light goes can be turned round. z-tests with a fixed seed: a right renderer is
 // beyond |z| = 4 in one run of 16,000.
-#include "06_textures/scene.h"
 #include "08_indirect/area_light.h"
 #include "08_indirect/bounce.h"
 #include "08_indirect/radiance.h"
+#include "08_indirect/scene.h"
 #include "tests/check.h"
 
 #include <array>
@@ -29,6 +29,8 @@ double apart(const Mean& a, const Mean& b) {
     return difference <= 1e-5 * std::max(1.0, std::abs(b.mean())) ? 0 : difference / error;
 }
 
+const std::array all_ways{Direct::mis, Direct::lights, Direct::bounces};
+
 using Channels = std::array<Mean, 3>;
 
 Channels seen(const Scene& scene, const Transport& transport, const Ray& ray, int samples,
@@ -49,6 +51,12 @@ void check_same(const Channels& a, const Channels& b) {
                         << b[k].mean() << " +- " << b[k].standard_error() << ", z = " << apart(a[k], b[k]));
         CHECK(apart(a[k], b[k]) < 4);
     }
+}
+
+std::string words(const Transport& transport) {
+    const std::array ways{"lights sampled and found", "lights sampled", "lights found by chance"};
+    return ways[std::size_t(transport.direct)] +
+           std::string(transport.spread == Spread::cosine ? "" : ", uniform bounces");
 }
 
 void add_triangle(Scene& scene, vec3 a, vec3 b, vec3 c, int material) {
@@ -83,49 +91,56 @@ const Ray into_it{{0.5f, 2.5f, 6}, {-0.6f, -2, -5.8f}}; // meets the floor under
 
 } // namespace
 
-TEST_CASE("lights that are sampled and lights that are found by chance give the same picture") {
-    // The best single test: an error in a cosine, a distance, an area, a density or a pi is in one of the two
-    // alone.
+TEST_CASE("however lamps are looked for and bounces are spread, the picture is the same") {
+    // The best single test: an error in a cosine, a distance, an area, a density or a pi is in one of them alone.
     Scene scene = oblique_scene();
     prepare(scene);
     for (const int depth : {1, 2, 5})
         for (const bool indirect : {true, false}) {
-            const Channels asked = seen(scene, {depth, indirect, true, false}, into_it, 100'000, 1);
-            const Channels chance = seen(scene, {depth, indirect, false, false}, into_it, 150'000, 2);
-            INFO("depth " << depth << ", indirect light " << std::string(indirect ? "on" : "off")
-                          << ": first sampled, then by chance; sampled too bright: counted twice");
-            check_same(asked, chance);
+            const Channels chance =
+                seen(scene, {depth, indirect, Direct::bounces, false}, into_it, 150'000, 2);
+            for (const Direct direct : all_ways)
+                for (const Spread spread : {Spread::cosine, Spread::uniform}) {
+                    const Transport transport{depth, indirect, direct, false, spread};
+                    const Channels other = seen(scene, transport, into_it, 100'000, 1);
+                    INFO("depth " << depth << ", indirect light " << std::string(indirect ? "on" : "off")
+                                  << ": " << words(transport)
+                                  << ", then by chance and the cosine; too bright: counted twice");
+                    check_same(other, chance);
+                }
         }
 }
 
-TEST_CASE(
-    "with mirrors and glass, too, both ways to look for lights agree: no caustic is lost or counted twice") {
+TEST_CASE("with mirrors, metal and glass, too, all ways agree: no caustic is lost or counted twice") {
     Scene scene = oblique_scene();
     const int glass = add(scene, Glass{{1.5f, {0.5f, 0.1f, 0.3f}}});
     const int coat = add(scene, Reflective{0.6f, 0, {0.9f, 0.8f, 0.7f}});
     const int shiny_lamp = add(scene, Reflective{0.4f, add(scene, flat(vec3(9, 7, 5)))});
     scene.spheres.push_back({{-0.3f, 0.7f, 1.6f}, 0.6f, glass});
+    scene.spheres.push_back({{-1.1f, 0.6f, 0.4f}, 0.4f, add(scene, Metal{{0.9f, 0.6f, 0.3f}, 0.4f})});
     scene.quads.push_back({{-2.2f, 0, -1}, {0.3f, 2.5f, 0.2f}, {0.2f, 0.1f, 3}, coat});
     scene.quads.push_back({{0.2f, 2.8f, 1.6f}, {0.7f, 0.2f, 0.3f}, {0.1f, 0.1f, 0.5f}, shiny_lamp});
     prepare(scene);
     for (const int depth : {2, 3, 6}) {
-        const Channels asked = seen(scene, {depth, true, true, true}, into_it, 100'000, 3);
-        const Channels chance = seen(scene, {depth, true, false, true}, into_it, 150'000, 4);
-        INFO("depth " << depth << ": first sampled, then by chance");
-        check_same(asked, chance);
+        const Channels chance = seen(scene, {depth, true, Direct::bounces, true}, into_it, 150'000, 4);
+        for (const Direct direct : {Direct::mis, Direct::lights}) {
+            const Transport transport{depth, true, direct, true};
+            const Channels asked = seen(scene, transport, into_it, 100'000, 3);
+            INFO("depth " << depth << ": " << words(transport) << ", then by chance");
+            check_same(asked, chance);
+        }
     }
 }
 
 TEST_CASE("roulette leaves the picture as it is") {
     Scene scene = oblique_scene();
     prepare(scene);
-    for (const bool sample_lights : {true, false}) {
-        const Channels without = seen(scene, {12, true, sample_lights, false}, into_it, 50'000, 5);
-        const Channels with = seen(scene, {12, true, sample_lights, true}, into_it, 50'000, 6);
-        INFO("lights sampled: "
-             << sample_lights
-             << ": first without, then with roulette; too dark: survivors are to be divided by "
-                "their chance");
+    for (const Direct direct : all_ways) {
+        const Channels without = seen(scene, {12, true, direct, false}, into_it, 50'000, 5);
+        const Channels with = seen(scene, {12, true, direct, true}, into_it, 50'000, 6);
+        INFO("way " << int(direct)
+                    << ": first without, then with roulette; too dark: survivors are to be divided by "
+                       "their chance");
         check_same(without, with);
     }
 }
@@ -136,7 +151,7 @@ TEST_CASE("roulette saves work: in a dim closed room most paths end long before 
     prepare(scene);
     const auto rays = [&](bool with_roulette) {
         tally = {};
-        seen(scene, {30, true, true, with_roulette}, {{0.5f, 2, 3}, {1, 0.3f, -0.2f}}, 500, 7);
+        seen(scene, {30, true, Direct::lights, with_roulette}, {{0.5f, 2, 3}, {1, 0.3f, -0.2f}}, 500, 7);
         return double(tally.rays);
     };
     const double full = rays(false), played = rays(true);
@@ -187,9 +202,10 @@ TEST_CASE("squares see each other by .1998249 across a cube and by .2000438 arou
         for (int i = 0; i < 300'000; ++i) {
             const vec2 place = random.uniform2();
             const Ray ray{{place.x, 1e-3f, place.y}, {0, -1, 0}};
-            const vec3 chance = radiance(scene, lights, {1, true, false, false}, ray, random);
+            const vec3 chance = radiance(scene, lights, {1, true, Direct::bounces, false}, ray, random);
             (opposite ? across : around).add(double(chance.x));
-            if (opposite) sampled.add(double(radiance(scene, lights, {1, true, true, false}, ray, random).x));
+            if (opposite)
+                sampled.add(double(radiance(scene, lights, {1, true, Direct::lights, false}, ray, random).x));
         }
     }
     INFO("across, by chance: " << across.against(0.1998249));
@@ -247,11 +263,11 @@ TEST_CASE(
     }
     prepare(scene);
     const Ray ray{{1, 0.7f, 1.5f}, {0.3f, -0.5f, 0.2f}};
-    for (const Transport& transport : {Transport{25, true, true, true}, Transport{25, true, true, false},
-                                       Transport{25, true, false, true}}) {
+    for (const Transport& transport :
+         {Transport{25, true, Direct::mis, true}, Transport{25, true, Direct::lights, false},
+          Transport{25, true, Direct::bounces, true}}) {
         const Channels mean = seen(scene, transport, ray, 15'000, 12);
-        INFO("lights sampled: " << transport.sample_lights << ", roulette: " << transport.roulette << ": "
-                                << mean[0].against(2));
+        INFO(words(transport) << ", roulette: " << transport.roulette << ": " << mean[0].against(2));
         CHECK(off(mean[0], 2) < 4);
     }
 }
@@ -275,9 +291,10 @@ TEST_CASE("no path is negative or not a number, whatever the world is made of") 
             add(scene, Reflective{random.uniform(), int(random.uniform() * 3)});
             add(scene, Glass{{1 + 1.5f * random.uniform(), 2.0f * colour()}, {1 + random.uniform()}});
             add(scene, Textured{picture, colour(), random.uniform() < 0.3f ? colour() : vec3(0)});
+            add(scene, Metal{colour(), random.uniform()});
         }
-        const auto material = [&] { return int(random.uniform() * 24); };
-        const auto dull = [&] { return 1 + 6 * int(random.uniform() * 4); }; // a plane must not glow
+        const auto material = [&] { return int(random.uniform() * 28); };
+        const auto dull = [&] { return 1 + 7 * int(random.uniform() * 4); }; // a plane must not glow
         for (int i = 0; i < 4; ++i) {
             const vec3 center = cube(2);
             scene.spheres.push_back({center, 0.05f + random.uniform(), material()});
@@ -293,7 +310,8 @@ TEST_CASE("no path is negative or not a number, whatever the world is made of") 
         prepare(scene);
         const AreaLights lights = area_lights(scene);
         for (int i = 0; i < 120; ++i) {
-            const Transport transport{i % 13, i % 5 != 0, i % 2 == 0, i % 3 != 0};
+            const Transport transport{i % 13, i % 5 != 0, all_ways[std::size_t(i % 3)], i % 2 != 0,
+                                      i % 7 < 4 ? Spread::cosine : Spread::uniform};
             const vec3 from = cube(3), direction = cube(1);
             const vec3 got = radiance(scene, lights, transport, {from, direction}, random);
             const bool good = is_finite(got) && got.x >= 0 && got.y >= 0 && got.z >= 0;
@@ -318,8 +336,8 @@ TEST_CASE("light in a coloured medium is dimmed on its way, whether lamps are sa
                    {{-0.5f, 1, -0.5f}, {1, 0, 0.1f}, {0, 0.2f, 1}, lamp}};
     prepare(scene);
     const Ray ray{{4, 1.4f, 4.1f}, {-4, -2.2f, -4}};
-    const Channels asked = seen(scene, {2, true, true, false}, ray, 60'000, 13);
-    const Channels chance = seen(scene, {2, true, false, false}, ray, 120'000, 14);
+    const Channels asked = seen(scene, {2, true, Direct::lights, false}, ray, 60'000, 13);
+    const Channels chance = seen(scene, {2, true, Direct::bounces, false}, ray, 120'000, 14);
     INFO("first sampled, then by chance; the first brighter: the shadow ray forgets Beer and Lambert");
     check_same(asked, chance);
 }

@@ -3,7 +3,7 @@
 // Stamminger and Greiner 2006).
 #pragma once
 
-#include "07_antialias/sample.h"
+#include "07_antialias/sampler.h"
 #include "common/render.h"
 
 #include <cmath>
@@ -42,9 +42,8 @@ inline vec2 filter_offset(Filter filter, vec2 u, float width) {
 }
 
 /// The point of the picture through which a sample looks, in pixels from the top left corner.
-inline vec2 picture_point(Sample& sample, Pattern pattern, Filter filter, float width) {
-    const vec2 u = sample_point(pattern, sample.index, sample.count, sample.random);
-    return vec2(sample.x, sample.y) + 0.5f + filter_offset(filter, u, width);
+inline vec2 picture_point(const Sample& sample, Sampler& sampler, Filter filter, float width) {
+    return vec2(sample.x, sample.y) + 0.5f + filter_offset(filter, sampler.uniform2(), width);
 }
 
 } // namespace rt

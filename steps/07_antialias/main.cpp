@@ -4,6 +4,7 @@
 #include "06_textures/radiance.h"
 #include "06_textures/scene.h"
 #include "07_antialias/filter.h"
+#include "07_antialias/lens.h"
 #include "common/paths.h"
 #include "common/program.h"
 
@@ -49,12 +50,12 @@ Pose test_chart(Scene& scene) {
 int main(int argc, char** argv) {
     Options options("07_antialias", "What is a pixel?", {.width = 640, .height = 400, .samples = 64});
     const ModelKnobs model(options);
-    const auto pattern = options.choice("pattern", {"random", "stratified"}, Pattern::stratified,
-                                        "how the samples of a pixel are spread: anywhere, or one a cell");
+    const auto sampler_kind = sampler_knob(options);
     const auto filter = options.choice("filter", {"box", "tent", "gaussian"}, Filter::gaussian,
                                        "how a pixel weighs the light around its middle");
     const float& filter_width = options.knob(
         "filter-width", 1.0f, 0.0f, 10.0f, "scales the filter: box 1 pixel wide, tent 2, Gaussian sigma 1/2");
+    const LensKnobs lens_knobs(options);
     const auto accel = accel_knob(options, Accel::wide);
     const int& depth = options.knob("depth", 6, 0, 24, "mirrors and boundaries that a ray may meet");
     const auto view = view_knob(options);
@@ -69,9 +70,11 @@ int main(int argc, char** argv) {
                                                 : test_chart(scene));
         prepare(scene);
         const Camera camera = make_camera(pose, width, height);
-        render([&](Sample& sample) {
-            const vec2 point = picture_point(sample, pattern, filter, filter_width);
-            const Ray ray = camera_ray(camera, point);
+        const Lens lens = lens_knobs.lens(pose);
+        render([&](const Sample& sample) {
+            Sampler sampler(sampler_kind, sample);
+            const vec2 point = picture_point(sample, sampler, filter, filter_width);
+            const Ray ray = picture_ray(camera, lens, point, sampler);
             if (view == View::light) return radiance(scene, ray, depth);
             return what_is_hit(scene, ray, view, distance(pose.from, pose.at));
         });

@@ -1,13 +1,12 @@
-// Where the samples of a pixel lie: anywhere, or each in its own cell.
+// Stratified samples: each in a cell of its own, the cells in an order of their own for every pixel.
 #pragma once
 
 #include "common/random.h"
 
+#include <bit>
 #include <cmath>
 
 namespace rt {
-
-enum class Pattern { random, stratified };
 
 /// Sample `index` of `count` somewhere in its own cell of the unit square. All cells have the area 1 / count,
 /// for any count: floor(sqrt(count)) rows share the samples as evenly as they can, and each row is as high as
@@ -25,10 +24,27 @@ inline vec2 stratified_point(int index, int count, Random& random) {
     //< return vec2(0.5f);
 }
 
-/// A point of the unit square for sample `index` of `count`.
-inline vec2 sample_point(Pattern pattern, int index, int count, Random& random) {
-    if (pattern == Pattern::stratified) return stratified_point(index, count, random);
-    return random.uniform2();
+/// The same on a line: cell `index` of `count`.
+inline float stratified_number(int index, int count, Random& random) {
+    return glm::min((float(index) + random.uniform()) / float(count), 0x1.fffffep-1f);
+}
+
+/// Where `index` stands in a random order of 0 to count - 1, one order for each key. Odd factors, sums and
+/// shifted bits are one-to-one below a power of two; what lands beyond `count` goes round again (cycle
+/// walking: Black and Rogaway 2002; for the samples of a pixel: Kensler 2013, "Correlated Multi-Jittered
+/// Sampling").
+constexpr int permuted(int index, int count, std::uint64_t key) {
+    const int bits = std::bit_width(std::uint32_t(count - 1));
+    const std::uint32_t mask = (1u << bits) - 1;
+    std::uint32_t place = std::uint32_t(index);
+    do {
+        for (int round = 0; round < 5; ++round) {
+            const auto part = std::uint32_t(std::rotr(key, 13 * round));
+            place = (place * (part | 1) + (part >> 8)) & mask;
+            place ^= place >> ((bits + 1) / 2);
+        }
+    } while (place >= std::uint32_t(count));
+    return int(place);
 }
 
 } // namespace rt

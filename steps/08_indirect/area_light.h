@@ -5,21 +5,23 @@
 #include "03_mirror/quad.h"
 #include "04_refraction/glass.h"
 #include "05_mesh_bvh/mesh.h"
+#include "06_textures/texture.h"
+#include "08_indirect/bounce.h"
 #include "common/image.h"
 #include "common/match.h"
-#include "common/random.h"
 
 #include <algorithm>
+#include <limits>
 #include <variant>
 #include <vector>
 
 namespace rt {
 
-/// A point of a light, where the surface faces, and its density over the light's area, 1/m^2.
+/// A point of a light, where the surface faces, and the radiance that it sends out, W / (m^2 sr).
 struct LightPoint {
     vec3 position;
     vec3 normal;
-    float density;
+    vec3 emission{0};
 };
 
 struct LightTriangle {
@@ -40,8 +42,7 @@ inline float area(const Sphere& sphere) {
 
 /// Points spread evenly over a shape, from u in [0, 1)^2.
 inline LightPoint light_point(const Quad& quad, vec2 u) {
-    return {quad.corner + u.x * quad.edge_u + u.y * quad.edge_v, normalize(cross(quad.edge_u, quad.edge_v)),
-            1 / area(quad)};
+    return {quad.corner + u.x * quad.edge_u + u.y * quad.edge_v, normalize(cross(quad.edge_u, quad.edge_v))};
 }
 
 /// A square folded along its diagonal would do; this warp keeps neighbours together (Osada et al. 2002, 4.2).
@@ -50,15 +51,13 @@ inline LightPoint light_point(const LightTriangle& triangle, vec2 u) {
     const float root = std::sqrt(u.x);
     const vec3 position = (1 - root) * triangle.a + root * (1 - u.y) * triangle.b + root * u.y * triangle.c;
     //< const vec3 position = triangle.a;
-    return {position, normalize(area_normal({triangle.a, triangle.b, triangle.c})), 1 / area(triangle)};
+    return {position, normalize(area_normal({triangle.a, triangle.b, triangle.c}))};
 }
 
-/// Archimedes: slices of equal height have equal area. Half of the points face away and shed nothing.
+/// Half of the points face away and shed nothing.
 inline LightPoint light_point(const Sphere& sphere, vec2 u) {
-    const float z = 1 - 2 * u.x;
-    const float radius = std::sqrt(glm::max(0.0f, 1 - z * z));
-    const vec3 normal(radius * std::cos(2 * pi * u.y), radius * std::sin(2 * pi * u.y), z);
-    return {sphere.center + sphere.radius * normal, normal, 1 / area(sphere)};
+    const vec3 normal = unit_vector(u);
+    return {sphere.center + sphere.radius * normal, normal};
 }
 
 struct AreaLight {
@@ -70,6 +69,7 @@ struct AreaLight {
 struct AreaLights {
     std::vector<AreaLight> list;
     std::vector<float> cumulative; ///< cumulative[i]: the share of lights 0 to i in the power of all
+    float power = 0;               ///< of all: luminance(emission) times area, summed up
 };
 
 /// What the material sends out by itself.
@@ -103,38 +103,64 @@ AreaLights area_lights(const S& scene) {
         collect(LightTriangle{a, b, c}, scene.mesh.materials[i]);
     }
     for (const double sum : sums) lights.cumulative.push_back(float(sum / power));
+    lights.power = float(power);
     return lights;
 }
 
-/// An estimate of the irradiance at the hit from all area lights, W/m^2: one point of one light, and
-///     E ~ L cos(theta) cos(theta_light) V / (r^2 p),   p = the density of the point over all lights' area.
-/// The light shines to both sides; V is 1 if the two points see each other, else 0.
-/// `absorption` is that of the medium between them.
-template <CastsShadows S>
-vec3 area_light(const S& scene, const AreaLights& lights, const Hit& hit, Random& random,
-                vec3 absorption = vec3(0)) {
-    if (lights.list.empty()) return vec3(0);
-    const float pick = random.uniform();
-    const auto chosen = std::ranges::upper_bound(lights.cumulative, pick);
+/// A point of one of the lights, u in [0, 1)^2. Picked by power and then evenly, it has the density
+/// luminance(emission) / power over the area of all lights, whichever light it lies on.
+inline LightPoint light_point(const AreaLights& lights, vec2 u) {
+    const auto chosen = std::ranges::upper_bound(lights.cumulative, u.x);
     const auto index = std::min(std::size_t(chosen - lights.cumulative.begin()), lights.list.size() - 1);
     const float below = index > 0 ? lights.cumulative[index - 1] : 0;
-    const float probability = lights.cumulative[index] - below;
+    u.x = (u.x - below) / (lights.cumulative[index] - below); // what the choice leaves is uniform again
+    u.x = glm::clamp(u.x, 0.0f, 0x1.fffffep-1f);
     const AreaLight& light = lights.list[index];
-    const vec2 u = random.uniform2();
-    const LightPoint point = match(light.shape, [&](const auto& shape) { return light_point(shape, u); });
-    //> both cosines over the squared distance, divided by the density, if nothing stands between
+    LightPoint point = match(light.shape, [&](const auto& shape) { return light_point(shape, u); });
+    point.emission = light.emission;
+    return point;
+}
+
+/// The density, 1/sr, with which a surface picks the direction of such a point, which it sees at `distance` and
+/// under an angle of this cosine to the light's normal. The area dA fills the directions dA cos / distance^2, so
+///     p(w) = p(A) distance^2 / cos,   p(A) = luminance(emission) / power.
+inline float light_pdf(const AreaLights& lights, vec3 emission, float distance, float cosine) {
+    if (lights.list.empty()) return 0;
+    const float density = luminance(emission) / lights.power * distance * distance / std::abs(cosine);
+    return glm::min(density, std::numeric_limits<float>::max()); // seen edge-on
+}
+
+/// Two ways find the same light, with densities p and q. The share that counts where the first one finds it: the
+/// power heuristic with exponent 2 (Veach and Guibas 1995),  p^2 / (p^2 + q^2).  Both shares add up to 1. p > 0.
+inline float share(float p, float q) {
+    //> by way of q / p, whose square does not overflow where those of p and q do
+    const float ratio = q / p;
+    return 1 / (1 + ratio * ratio);
+    //< return 1;
+}
+
+/// An estimate of the irradiance at the hit from all area lights, W/m^2: one point of one light, and
+///     E ~ L cos(theta) V / p,   p = the density of the point's direction.
+/// The light shines to both sides; V is 1 if the two points see each other, else 0. `absorption` is that of
+/// the medium between them. `rivals`: the spread of bounces that look for the same lights and take their share.
+template <CastsShadows S, UniformSource Source>
+vec3 area_light(const S& scene, const AreaLights& lights, const Hit& hit, Source& source,
+                vec3 absorption = vec3(0), const Spread* rivals = nullptr) {
+    if (lights.list.empty()) return vec3(0);
+    const LightPoint point = light_point(lights, source.uniform2());
+    //> the light over its density, times the cosine and the share, if nothing stands between
     const vec3 way = point.position - hit.position;
-    const float squared = dot(way, way);
-    const float cosine = dot(way, hit.normal);                   // times r
-    const float light_cosine = std::abs(dot(way, point.normal)); // times r
-    if (cosine <= 0 || light_cosine == 0) return vec3(0);
-    const vec3 arriving =
-        light.emission * cosine * light_cosine / (squared * squared * point.density * probability);
-    const float side = dot(way, point.normal) < 0 ? 1.0f : -1.0f; // stop just before the light itself
+    const float distance = length(way);
+    const float cosine = dot(way, hit.normal) / distance;
+    const float light_cosine = dot(way, point.normal) / distance;
+    if (!(cosine > 0) || light_cosine == 0) return vec3(0);
+    const float density = light_pdf(lights, point.emission, distance, light_cosine);
+    const float weight = rivals ? share(density, bounce_pdf(*rivals, cosine)) : 1;
+    const float side = light_cosine < 0 ? 1.0f : -1.0f; // stop just before the light itself
     const vec3 before = side * position_error(hit.position, point.position) * point.normal;
-    return occluded(scene, segment_to(hit, point.position + before))
-               ? vec3(0)
-               : arriving * transmittance(absorption, std::sqrt(squared));
+    if (occluded(scene, segment_to(hit, point.position + before))) return vec3(0);
+    const vec3 arriving = point.emission * (cosine * weight / density);
+    return absorption == vec3(0) ? arriving : arriving * transmittance(absorption, distance);
     //< return vec3(0);
 }
 

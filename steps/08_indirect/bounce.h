@@ -40,14 +40,38 @@ inline float cosine_pdf(float cosine) {
     return glm::max(cosine, 0.0f) / pi;
 }
 
+/// Unit vectors towards all sides, evenly (Archimedes: slices of equal height have equal area). u in [0, 1)^2.
+inline vec3 unit_vector(vec2 u) {
+    const float z = 1 - 2 * u.x;
+    const float radius = std::sqrt(glm::max(0.0f, 1 - z * z));
+    return {radius * std::cos(2 * pi * u.y), radius * std::sin(2 * pi * u.y), z};
+}
+
+/// How the bounces of a matte surface are spread over the directions above it: by the cosine, or evenly.
+enum class Spread { cosine, uniform };
+
+/// A direction above the surface. u in [0, 1)^2.
+inline vec3 bounce_direction(Spread spread, vec3 normal, vec2 u) {
+    if (spread == Spread::cosine) return cosine_direction(normal, u);
+    const vec3 direction = unit_vector(u);
+    return dot(direction, normal) < 0 ? -direction : direction;
+}
+
+/// The density of bounce_direction(), 1/sr; `cosine` is that of the angle to the normal.
+inline float bounce_pdf(Spread spread, float cosine) {
+    if (spread == Spread::cosine) return cosine_pdf(cosine);
+    return cosine < 0 ? 0 : 1 / (2 * pi);
+}
+
 /// Russian roulette: a path that carries little goes on with a probability in proportion, and what goes on is
 /// weighed up by 1 / probability, so the mean stays (Arvo and Kirk 1990). Answers the new throughput, or
 /// nothing if the path ends.
-inline std::optional<vec3> roulette(vec3 throughput, Random& random) {
+template <UniformSource Source>
+std::optional<vec3> roulette(vec3 throughput, Source& source) {
     //> survive with the largest component, at most .95, and divide by it
     const float largest = glm::max(throughput.x, glm::max(throughput.y, throughput.z));
     const float survival = glm::min(largest, 0.95f);
-    if (random.uniform() >= survival) return std::nullopt;
+    if (source.uniform() >= survival) return std::nullopt;
     return throughput / survival;
     //< return throughput;
 }

@@ -1,38 +1,19 @@
 // Step 08 asks: where does all the light come from?
 #include "01_spheres/view.h"
 #include "05_mesh_bvh/stage.h"
-#include "06_textures/scene.h"
 #include "07_antialias/filter.h"
+#include "07_antialias/lens.h"
+#include "08_indirect/animal.h"
+#include "08_indirect/cornell.h"
 #include "08_indirect/radiance.h"
-#include "common/paths.h"
+#include "08_indirect/room.h"
+#include "08_indirect/scene.h"
+#include "08_indirect/weekend.h"
 #include "common/program.h"
 
 using namespace rt;
 
-enum class Show { room, furnace };
-
-/// A box after the Cornell box, 2 m wide and open to the camera: red and green walls, a lamp in the ceiling,
-/// and in it a cow that looks at itself in a mirror ball, and a ball of glass.
-Pose room(Scene& scene) {
-    const int white = add(scene, Diffuse{vec3(0.74f, 0.72f, 0.68f)});
-    const int red = add(scene, Diffuse{{0.63f, 0.065f, 0.05f}});
-    const int green = add(scene, Diffuse{{0.14f, 0.45f, 0.09f}});
-    const int lamp = add(scene, flat(vec3(11.5f, 9.4f, 6.6f)));
-    const int mirror = add(scene, Mirror{vec3(0.93f)});
-    const int glass = add(scene, Glass{Medium{1.5f}});
-    scene.quads = {{{-1, 0, 1}, {2, 0, 0}, {0, 0, -2}, white}, // floor
-                   {{-1, 2, -1}, {2, 0, 0}, {0, 0, 2}, white}, // ceiling
-                   {{-1, 0, -1}, {2, 0, 0}, {0, 2, 0}, white}, // back
-                   {{-1, 0, 1}, {0, 0, -2}, {0, 2, 0}, red},   // left
-                   {{1, 0, -1}, {0, 0, 2}, {0, 2, 0}, green},  // right
-                   {{-0.5f, 1.998f, -0.45f}, {1, 0, 0}, {0, 0, 0.8f}, lamp}};
-    scene.spheres = {{{0.52f, 0.4f, -0.42f}, 0.4f, mirror}, {{0.42f, 0.24f, 0.45f}, 0.24f, glass}};
-
-    ObjFile cow = read_obj(asset("cow.obj"));
-    place(cow, 0.85f, -40, {-0.38f, 0, -0.05f});
-    add(scene, cow, 40);
-    return {.from = {0, 1, 4.6f}, .at = {0, 0.98f, 0}, .fov = 31};
-}
+enum class Show { room, furnace, cornell, weekend, animal };
 
 /// A white ball in an evenly white world. Whatever it receives it gives back, so it must not be seen at all.
 Pose furnace(Scene& scene) {
@@ -42,25 +23,43 @@ Pose furnace(Scene& scene) {
     return {.from = {0, 0, 4}, .at = {0, 0, 0}, .fov = 40};
 }
 
+/// Builds one of the scenes that this step brings along.
+Pose build(Scene& scene, Show show) {
+    switch (show) {
+    case Show::furnace: return furnace(scene);
+    case Show::cornell: return cornell(scene);
+    case Show::weekend: return weekend(scene);
+    case Show::animal: return animal(scene);
+    default: return room(scene);
+    }
+}
+
 int main(int argc, char** argv) {
     Options options("08_indirect", "Where does all the light come from?",
                     {.width = 480, .height = 480, .samples = 64});
     const ModelKnobs model(options);
-    const auto show = options.choice("scene", {"room", "furnace"}, Show::room,
-                                     "what to show: the reference's room, or a white ball in a white world, "
-                                     "which must not be seen");
+    const std::string& spheres =
+        options.file("spheres", "a list of balls to show in the place and light of --scene weekend");
+    const auto show = options.choice(
+        "scene", {"room", "furnace", "cornell", "weekend", "animal"}, Show::room,
+        "what to show: the reference's room; a white ball in a white world, which must not be seen; "
+        "a Cornell box; the balls of a well-known book; a cat at home");
     const auto accel = accel_knob(options, Accel::wide);
-    const auto pattern = options.choice("pattern", {"random", "stratified"}, Pattern::stratified,
-                                        "how the samples of a pixel are spread: anywhere, or one a cell");
+    const auto sampler_kind = sampler_knob(options);
     const auto filter = options.choice("filter", {"box", "tent", "gaussian"}, Filter::gaussian,
                                        "how a pixel weighs the light around its middle");
     const float& filter_width = options.knob(
         "filter-width", 1.0f, 0.0f, 10.0f, "scales the filter: box 1 pixel wide, tent 2, Gaussian sigma 1/2");
+    const LensKnobs lens_knobs(options);
     const int& depth = options.knob("depth", 5, 0, 1000, "bounces of a path; the light beyond is left out");
     const bool& no_indirect =
         options.flag("no-indirect", "matte surfaces see lamps and sky, but not each other");
-    const bool& no_light_sampling = options.flag(
-        "no-light-sampling", "lamps count only where a path happens to hit them: same picture, more noise");
+    const auto direct =
+        options.choice("direct", {"mis", "lights", "bounces"}, Direct::mis,
+                       "how a path looks for lamps: by asking them, by running into them, or by "
+                       "both, each where it is good (mis): same picture, different noise");
+    const auto spread = options.choice("bounce", {"cosine", "uniform"}, Spread::cosine,
+                                       "how bounces are spread: same picture, different noise");
     const bool& no_roulette =
         options.flag("no-roulette", "every path runs its full length: same picture, slower");
     const auto view = view_knob(options);
@@ -70,18 +69,21 @@ int main(int argc, char** argv) {
         const auto [width, height] = std::pair(options.picture().width, options.picture().height);
         Scene scene;
         scene.accel = accel;
-        const bool own = !model.mesh.empty();
-        const Pose pose = camera_knobs.pose(own ? stage_model(scene, model, float(width) / float(height))
-                                            : show == Show::room ? room(scene)
-                                                                 : furnace(scene));
+        const Pose pose =
+            camera_knobs.pose(!model.mesh.empty() ? stage_model(scene, model, float(width) / float(height))
+                              : !spheres.empty()  ? weekend(scene, read_sphere_list(spheres))
+                                                  : build(scene, show));
         prepare(scene);
         const AreaLights lights = area_lights(scene);
-        const Transport transport{depth, !no_indirect, !no_light_sampling, !no_roulette};
+        const Transport transport{depth, !no_indirect, direct, !no_roulette, spread};
         const Camera camera = make_camera(pose, width, height);
-        render([&](Sample& sample) {
-            const vec2 point = picture_point(sample, pattern, filter, filter_width);
-            const Ray ray = camera_ray(camera, point);
-            if (view == View::light) return radiance(scene, lights, transport, ray, sample.random);
+        const bool balls = model.mesh.empty() && (!spheres.empty() || show == Show::weekend);
+        const Lens lens = lens_knobs.lens(pose, balls ? weekend_lens : Lens{.focus = 0});
+        render([&](const Sample& sample) {
+            Sampler sampler(sampler_kind, sample);
+            const vec2 point = picture_point(sample, sampler, filter, filter_width);
+            const Ray ray = picture_ray(camera, lens, point, sampler);
+            if (view == View::light) return radiance(scene, lights, transport, ray, sampler);
             return what_is_hit(scene, ray, view, distance(pose.from, pose.at));
         });
     });

@@ -7,18 +7,24 @@
 #include "06_textures/texture.h"
 #include "08_indirect/area_light.h"
 #include "08_indirect/bounce.h"
+#include "08_indirect/metal.h"
 #include "common/match.h"
 
 #include <variant>
 
 namespace rt {
 
-/// Which light counts, and how it is looked for. The last two change the noise, never the mean.
+/// How paths look for area lights: by asking them at every matte surface, by running into them, or by both with
+/// multiple importance sampling.
+enum class Direct { mis, lights, bounces };
+
+/// Which light counts, and how it is looked for. The last three change the noise, never the mean.
 struct Transport {
-    int depth = 5;             ///< bounces of a path at most; the light beyond is left out
-    bool indirect = true;      ///< false: matte surfaces see lights and sky, but not each other
-    bool sample_lights = true; ///< false: area lights count only when a path happens to run into them
-    bool roulette = true;      ///< false: every path runs its full length
+    int depth = 5;        ///< bounces of a path at most; the light beyond is left out
+    bool indirect = true; ///< false: matte surfaces see lights and sky, but not each other
+    Direct direct = Direct::mis;
+    bool roulette = true;           ///< false: every path runs its full length
+    Spread spread = Spread::cosine; ///< of bounces
 };
 
 /// Light that goes on as a single ray.
@@ -30,69 +36,101 @@ struct Specular {
 
 /// What the surface does with a path: it is matte, or it sends the path on. Where light has two ways, chance
 /// picks one in proportion to its share, so that the weight is the same for both.
-template <CastsShadows S>
-std::variant<Diffuse, Specular> meet(const S& scene, const Ray& ray, const Hit& hit, int material,
-                                     vec3 absorption, Random& random) {
+template <CastsShadows S, UniformSource Source>
+std::variant<Diffuse, Specular> meet(const S& scene, const Ray& ray, const Hit& hit, vec3 absorption,
+                                     Source& source) {
     using Result = std::variant<Diffuse, Specular>;
     const auto mirrored = [&](vec3 tint) { return Specular{mirror_ray(ray, hit), tint, absorption}; };
+    int material = hit.material;
+    while (const auto* coat = std::get_if<Reflective>(&scene.materials[std::size_t(material)])) {
+        if (source.uniform() < coat->reflectivity) return mirrored(coat->tint);
+        material = coat->base;
+    }
     return match(
         scene.materials[std::size_t(material)], [&](const Diffuse& diffuse) -> Result { return diffuse; },
         [&](const Checker& checker) -> Result { return at(checker, hit.uv); },
         [&](const Textured& textured) -> Result { return at(textured, scene.textures, hit.uv); },
         [&](const Mirror& mirror) -> Result { return mirrored(mirror.tint); },
-        [&](const Reflective& coat) -> Result {
-            if (random.uniform() < coat.reflectivity) return mirrored(coat.tint);
-            return meet(scene, ray, hit, coat.base, absorption, random);
+        [&](const Metal& metal) -> Result {
+            const auto onward = metal_ray(metal, ray, hit, source.uniform2());
+            if (!onward) return Diffuse{vec3(0)}; // it ends here
+            return Specular{*onward, metal.albedo, absorption};
         },
+        [&](const Reflective&) -> Result { return Diffuse{vec3(0)}; }, // taken off above
         [&](const Glass& glass) -> Result {
             const Boundary side = boundary(glass, ray, hit);
             const auto onward = refracted_ray(ray, hit, side);
-            if (!onward || random.uniform() < side.reflectance) return mirrored(vec3(1));
+            if (!onward || source.uniform() < side.reflectance) return mirrored(vec3(1));
             return Specular{*onward, vec3(1), side.beyond.absorption};
         });
 }
 
+/// An estimate of the irradiance at the hit from all lights, as far as they are to be asked for it, W/m^2.
+template <CastsShadows S, UniformSource Source>
+vec3 asked(const S& scene, const AreaLights& lights, const Transport& transport, const Hit& hit,
+           vec3 absorption, Source& source) {
+    const vec3 from_points = direct_light(scene, hit);
+    if (transport.direct == Direct::bounces) return from_points;
+    const Spread* rivals = transport.direct == Direct::mis ? &transport.spread : nullptr;
+    return from_points + area_light(scene, lights, hit, source, absorption, rivals);
+}
+
+/// The share of a lamp's light that counts where a path runs into it. `density` is that of the ray's direction,
+/// infinite if the path had no other way.
+template <typename S>
+float found(const S& scene, const AreaLights& lights, const Transport& transport, const Ray& ray,
+            const Hit& hit, float density) {
+    if (density == infinity || transport.direct == Direct::bounces) return 1;
+    if (transport.direct == Direct::lights) return 0;
+    const float size = length(ray.direction);
+    const float cosine = dot(ray.direction, hit.geometric_normal) / size;
+    return share(density, light_pdf(lights, emission(scene, hit.material), hit.t * size, cosine));
+}
+
 /// An estimate of the radiance that comes back along the ray, W / (m^2 sr), linear RGB. Its mean over many
 /// calls is the solution of the rendering equation (Kajiya 1986), cut after `depth` bounces. Caustics of area
-/// lights are found by paths that run through glass into a lamp. Shortcut: a point light casts none, glass
-/// throws its full shadow.
-template <CastsShadows S>
-vec3 radiance(const S& scene, const AreaLights& lights, const Transport& transport, Ray ray, Random& random) {
+/// lights are found by paths that run through glass or by mirrors into a lamp. Shortcut: a point light casts
+/// none, glass throws its full shadow.
+template <CastsShadows S, UniformSource Source>
+vec3 radiance(const S& scene, const AreaLights& lights, const Transport& transport, Ray ray, Source& source) {
     vec3 gathered(0), throughput(1), absorption(0);
-    bool asked = false; // the lights were asked at the last surface, so meeting one now would count it twice
-    bool matte = false; // the path has met a matte surface
+    float density = infinity; // of the ray's direction; infinite from a mirror or the eye: no lamp was asked
+    bool matte = false;       // the path has met a matte surface
     for (int bounce = 0;; ++bounce) {
         const auto hit = intersect(scene, ray);
         if (!hit) {
             const bool clear = absorption == vec3(0); // a coloured medium without end lets nothing through
             return clear ? gathered + throughput * radiance(scene.sky, ray.direction) : gathered;
         }
-        throughput *= transmittance(absorption, hit->t * length(ray.direction));
+        if (absorption != vec3(0)) throughput *= transmittance(absorption, hit->t * length(ray.direction));
         const bool last = bounce == transport.depth || (matte && !transport.indirect);
-        const auto met = meet(scene, ray, *hit, hit->material, absorption, random);
+        const auto met = meet(scene, ray, *hit, absorption, source);
         if (const Specular* specular = std::get_if<Specular>(&met)) {
             if (last) return gathered;
             ray = specular->ray;
             absorption = specular->absorption;
             throughput *= specular->weight;
-            asked = false;
+            density = infinity;
         } else {
             const Diffuse& diffuse = std::get<Diffuse>(met);
-            if (!asked) gathered += throughput * diffuse.emission;
+            if (diffuse.emission != vec3(0))
+                gathered +=
+                    throughput * diffuse.emission * found(scene, lights, transport, ray, *hit, density);
             if (last) return gathered;
-            vec3 arriving = direct_light(scene, *hit);
-            if (transport.sample_lights) arriving += area_light(scene, lights, *hit, random, absorption);
+            const vec3 arriving = asked(scene, lights, transport, *hit, absorption, source);
             gathered += throughput * diffuse.albedo / pi * arriving;
-            //> the bounce: cos / pi in the direction's density cancels cos / pi in the light it brings
-            ray = ray_from(*hit, cosine_direction(hit->normal, random.uniform2()));
-            throughput *= diffuse.albedo;
+            //> albedo / pi times the cosine, over the density: of bounces by the cosine only the albedo is left
+            const vec3 direction = bounce_direction(transport.spread, hit->normal, source.uniform2());
+            const float cosine = dot(direction, hit->normal);
+            density = bounce_pdf(transport.spread, cosine);
+            throughput *= diffuse.albedo * (cosine / (pi * density));
+            ray = ray_from(*hit, direction);
             //< return gathered;
-            asked = transport.sample_lights;
             matte = true;
         }
         if (throughput == vec3(0)) return gathered;
         if (!transport.roulette || bounce < 2) continue;
-        const auto survived = roulette(throughput, random);
+        const auto survived = roulette(throughput, source);
         if (!survived) return gathered;
         throughput = *survived;
     }

@@ -1,0 +1,76 @@
+// A lens: rays from all over it that meet again in one plane, which is in focus, and nowhere else (distributed
+// ray tracing: Cook, Porter and Carpenter 1984).
+#pragma once
+
+#include "01_spheres/camera.h"
+#include "07_antialias/sampler.h"
+#include "common/options.h"
+
+#include <cmath>
+
+namespace rt {
+
+/// A point of the disk of radius 1, evenly spread by area: the square's rings become rings and its diagonals
+/// stay straight, so that what is even in the square is even in the disk (the concentric map of Shirley and
+/// Chiu 1997). u in [0, 1)^2.
+inline vec2 disk_point(vec2 u) {
+    //> the radius is the larger coordinate; the smaller one over it turns by up to 45 degrees to either side
+    const vec2 p = 2.0f * u - 1.0f;
+    if (p == vec2(0)) return p;
+    if (std::abs(p.x) > std::abs(p.y)) {
+        const float angle = pi / 4 * (p.y / p.x);
+        return p.x * vec2(std::cos(angle), std::sin(angle));
+    }
+    const float angle = pi / 4 * (p.x / p.y);
+    return p.y * vec2(std::sin(angle), std::cos(angle));
+    //< return 2.0f * u - 1.0f;
+}
+
+struct Lens {
+    float aperture = 0; ///< how wide it is, in metres; 0 is the pinhole
+    float focus = 1;    ///< how far ahead the plane in focus is, in metres along `forward`, above 0
+};
+
+/// As camera_ray(), but from the point of the lens that u in [0, 1)^2 picks. The lens stands around the
+/// camera's origin, at right angles to `forward`. What is d metres ahead is seen as a disk, whose width on the
+/// plane in focus is aperture |d - focus| / d, the circle of confusion.
+inline Ray lens_ray(const Camera& camera, const Lens& lens, vec2 pixel, vec2 u) {
+    const Ray ray = camera_ray(camera, pixel);
+    if (lens.aperture == 0) return ray;
+    //> the pinhole's ray says what is in focus there; aim at that from the lens
+    const vec3 in_focus =
+        ray.direction * (lens.focus / dot(ray.direction, camera.forward)); // from the origin
+    const vec2 p = lens.aperture / 2 * disk_point(u);
+    const vec3 on_lens = p.x * normalize(camera.right) + p.y * normalize(camera.up);
+    return {ray.origin + on_lens, normalize(in_focus - on_lens)};
+    //< return ray;
+}
+
+/// The ray with which a sample looks through this point of the picture. A pinhole asks for no numbers.
+inline Ray picture_ray(const Camera& camera, const Lens& lens, vec2 pixel, Sampler& sampler) {
+    return lens.aperture > 0 ? lens_ray(camera, lens, pixel, sampler.uniform2()) : camera_ray(camera, pixel);
+}
+
+/// Declares --aperture and --focus.
+struct LensKnobs {
+    explicit LensKnobs(Options& all)
+        : options(all),
+          aperture(all.knob("aperture", 0.0f, 0.0f, 1000.0f,
+                            "how wide the lens is, metres; 0 is a pinhole, with everything in focus")),
+          focus(all.knob("focus", 0.0f, 0.0f, 1e6f,
+                         "how far ahead the plane in focus is, metres; 0 for the distance to --at")) {}
+
+    /// Of a camera that stands like that: `other`, but for the knobs that the user has turned. A focus of 0 stands
+    /// for the distance to what the camera looks at.
+    Lens lens(const Pose& pose, const Lens& other = {.aperture = 0, .focus = 0}) const {
+        const float width = options.given("aperture") ? aperture : other.aperture;
+        const float ahead = options.given("focus") ? focus : other.focus;
+        return {width, ahead > 0 ? ahead : distance(pose.from, pose.at)};
+    }
+
+    const Options& options;
+    const float& aperture;
+    const float& focus;
+};
+
+} // namespace rt

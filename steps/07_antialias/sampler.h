@@ -1,0 +1,56 @@
+// Sampler: the numbers that a sample of a pixel asks for, spread as evenly over the samples of the pixel as
+// one likes.
+#pragma once
+
+#include "07_antialias/sample.h"
+#include "07_antialias/sobol.h"
+#include "common/options.h"
+#include "common/random.h"
+#include "common/render.h"
+
+namespace rt {
+
+enum class SamplerKind { random, stratified, sobol };
+
+/// Use it in place of Random: each call takes the next dimension of the sample (uniform2() the next two, which
+/// are even together). Over the samples of a pixel every dimension is spread evenly, and no dimension knows of
+/// another: the samples go through each in an order of its own (padding: Kollig and Keller 2002). A dimension
+/// is the number of the call, so samples that ask in the same order profit most.
+class Sampler {
+  public:
+    Sampler(SamplerKind chosen, const Sample& sample)
+        : kind(chosen), index(sample.index), count(sample.count), random(sample.random),
+          pixel(sample.x, sample.y, 0, ~sample.seed) {}
+
+    /// Plain random numbers.
+    explicit Sampler(const Random& numbers) : random(numbers) {}
+
+    /// A number in [0, 1). On a line, cells are as even as any points can be: Sobol has nothing to add.
+    float uniform() {
+        if (kind == SamplerKind::random) return random.uniform();
+        return stratified_number(permuted(index, count, pixel.bits()), count, random);
+    }
+
+    /// A point in the unit square [0, 1)^2.
+    vec2 uniform2() {
+        if (kind == SamplerKind::random) return random.uniform2();
+        const int place = permuted(index, count, pixel.bits());
+        if (kind == SamplerKind::stratified) return stratified_point(place, count, random);
+        return scrambled_sobol_point(std::uint32_t(place), pixel.bits());
+    }
+
+  private:
+    SamplerKind kind = SamplerKind::random;
+    int index = 0, count = 1;
+    Random random;   ///< of this sample alone
+    Random pixel{0}; ///< a key for one dimension after another, the same for all samples of the pixel
+};
+
+/// Declares --sampler.
+inline Choice<SamplerKind> sampler_knob(Options& options) {
+    return options.choice("sampler", {"random", "stratified", "sobol"}, SamplerKind::sobol,
+                          "how the samples of a pixel are spread: anywhere, one a cell, or as Sobol points, "
+                          "which are even in cells of every shape");
+}
+
+} // namespace rt

@@ -1,0 +1,61 @@
+// What the world is made of: shapes, materials by number, lights, and a sky around it all.
+#pragma once
+
+#include "01_spheres/background.h"
+#include "01_spheres/diffuse.h"
+#include "02_shadows/light.h"
+#include "03_mirror/mirror.h"
+#include "04_refraction/glass.h"
+#include "05_mesh_bvh/shapes.h"
+#include "06_textures/texture.h"
+#include "08_indirect/metal.h"
+
+#include <variant>
+#include <vector>
+
+namespace rt {
+
+using Material = std::variant<Diffuse, Checker, Mirror, Reflective, Glass, Textured, Metal>;
+
+struct Scene : Shapes {
+    Sky sky;
+    std::vector<PointLight> lights;
+    std::vector<Material> materials;
+    std::vector<Texture> textures;
+};
+
+/// Puts a material into the scene and answers its number.
+inline int add(Scene& scene, const Material& material) {
+    scene.materials.push_back(material);
+    return int(scene.materials.size()) - 1;
+}
+
+/// Puts a texture into the scene and answers its number.
+inline int add(Scene& scene, const Bitmap& bitmap) {
+    scene.textures.push_back(make_texture(bitmap));
+    return int(scene.textures.size()) - 1;
+}
+
+/// Puts a material of a model into the scene and answers its number: matte or textured, under a mirror if it
+/// is reflective; or glass. The model's textures start at number `first_texture`.
+inline int add(Scene& scene, const ObjMaterial& material, int first_texture) {
+    if (material.glass) return add(scene, Glass{{material.ior}});
+    const int base =
+        material.texture < 0
+            ? add(scene, Diffuse{material.diffuse, material.emission})
+            : add(scene, Textured{first_texture + material.texture, material.diffuse, material.emission});
+    if (material.reflectivity == 0) return base;
+    return add(scene, Reflective{material.reflectivity, base});
+}
+
+/// Puts a model into the scene, with its materials and textures. `crease` as in smooth_normals().
+inline void add(Scene& scene, const ObjFile& file, float crease) {
+    const int first_texture = int(scene.textures.size());
+    for (const Bitmap& bitmap : file.textures) add(scene, bitmap);
+    std::vector<int> numbers;
+    for (const ObjMaterial& material : file.material_list)
+        numbers.push_back(add(scene, material, first_texture));
+    append(scene.mesh, file, numbers, crease);
+}
+
+} // namespace rt

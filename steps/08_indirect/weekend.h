@@ -1,0 +1,70 @@
+// The last scene of "Ray Tracing in One Weekend" (Shirley, Black and Hollasch 2020): hundreds of balls on a ball,
+// by the book's rule with numbers of our own, or from a list. Glass reflects by Fresnel, not by Schlick.
+#pragma once
+
+#include "01_spheres/camera.h"
+#include "07_antialias/lens.h"
+#include "08_indirect/scene.h"
+#include "common/random.h"
+#include "common/sphere_list.h"
+
+namespace rt {
+
+/// Seen from what is in focus it is .6 degrees wide: 2 * 10 tan(.3 degrees).
+inline constexpr Lens weekend_lens{.aperture = 0.104720f, .focus = 10};
+
+/// The sky and the camera that go with it.
+inline Pose weekend_view(Scene& scene) {
+    scene.sky = {.nadir = vec3(1), .zenith = {0.5f, 0.7f, 1}};
+    return {.from = {13, 2, 3}, .at = {0, 0, 0}, .fov = 20};
+}
+
+/// A small ball's material: of 100, 80 are matte, 15 metal and 5 glass.
+inline Material weekend_material(Random& random) {
+    const auto three = [&] {
+        const float x = random.uniform(), y = random.uniform(), z = random.uniform();
+        return vec3(x, y, z);
+    };
+    const float kind = random.uniform();
+    if (kind < 0.8f) {
+        const vec3 albedo = three();
+        return Diffuse{albedo * three()};
+    }
+    if (kind >= 0.95f) return Glass{{1.5f}};
+    const vec3 albedo = 0.5f + 0.5f * three();
+    return Metal{albedo, 0.5f * random.uniform()};
+}
+
+/// The same balls every time.
+inline Pose weekend(Scene& scene) {
+    const auto ball = [&](vec3 center, float radius, const Material& material) {
+        scene.spheres.push_back({center, radius, add(scene, material)});
+    };
+    ball({0, -1000, 0}, 1000, Diffuse{vec3(0.5f)});
+    Random random(22);
+    for (int a = -11; a < 11; ++a)
+        for (int b = -11; b < 11; ++b) {
+            const float x = float(a) + 0.9f * random.uniform();
+            const float z = float(b) + 0.9f * random.uniform();
+            const Material material = weekend_material(random);
+            if (distance(vec3(x, 0.2f, z), vec3(4, 0.2f, 0)) > 0.9f) ball({x, 0.2f, z}, 0.2f, material);
+        }
+    ball({0, 1, 0}, 1, Glass{{1.5f}});
+    ball({-4, 1, 0}, 1, Diffuse{{0.4f, 0.2f, 0.1f}});
+    ball({4, 1, 0}, 1, Metal{{0.7f, 0.6f, 0.5f}});
+    return weekend_view(scene);
+}
+
+/// Balls from a list.
+inline Pose weekend(Scene& scene, const std::vector<ListedSphere>& list) {
+    for (const ListedSphere& ball : list) {
+        const Material material = ball.kind == ListedSphere::Kind::metal
+                                      ? Material(Metal{ball.albedo, ball.fuzz})
+                                  : ball.kind == ListedSphere::Kind::glass ? Material(Glass{{ball.ior}})
+                                                                           : Material(Diffuse{ball.albedo});
+        scene.spheres.push_back({ball.center, ball.radius, add(scene, material)});
+    }
+    return weekend_view(scene);
+}
+
+} // namespace rt
