@@ -75,16 +75,15 @@ vec3 asked(const S& scene, const AreaLights& lights, const Transport& transport,
     return from_points + area_light(scene, lights, hit, source, absorption, rivals);
 }
 
-/// The share of a lamp's light that counts where a path runs into it. `density` is that of the ray's
-/// direction, infinite if the path had no other way.
+/// The share of a lamp's light that counts where a path runs into it. `density` is that of the ray's direction,
+/// which has unit length then; infinite if the path had no other way.
 template <typename S>
 float found(const S& scene, const AreaLights& lights, const Transport& transport, const Ray& ray,
             const Hit& hit, float density) {
     if (density == infinity || transport.direct == Direct::bounces) return 1;
     if (transport.direct == Direct::lights) return 0;
-    const float size = length(ray.direction);
-    const float cosine = dot(ray.direction, hit.geometric_normal) / size;
-    return share(density, light_pdf(lights, emission(scene, hit.material), hit.t * size, cosine));
+    const float cosine = dot(ray.direction, hit.geometric_normal);
+    return share(density, light_pdf(lights, emission(scene, hit.material), hit.t, cosine));
 }
 
 /// An estimate of the radiance that comes back along the ray, W / (m^2 sr), linear RGB. Its mean over many
