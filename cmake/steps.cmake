@@ -60,7 +60,7 @@ function(add_step name)
     add_dependencies(programs ${name})
     add_custom_target(checks_${name} DEPENDS ${name})
 
-    foreach(kind "" _statistics _scenes)
+    foreach(kind "" _statistics)
         file(GLOB source CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${name}*${kind}.cpp)
         if(NOT kind)
             list(FILTER source EXCLUDE REGEX "_statistics")

@@ -9,7 +9,8 @@
 
 namespace rt {
 
-/// Hands out uniform numbers in [0, 1), one or two at a time: all that code which leaves things to chance asks for.
+/// Hands out uniform numbers in [0, 1), one or two at a time: all that code which leaves things to chance
+/// asks for.
 template <typename T>
 concept UniformSource = requires(T& source) {
     { source.uniform() } -> std::same_as<float>;

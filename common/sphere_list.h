@@ -1,5 +1,5 @@
-// A list of balls in a text file, one a line with commas between its values: so that a scene made elsewhere can be
-// shown.
+// A list of balls in a text file, one a line with commas between its values: so that a scene made elsewhere
+// can be shown.
 #pragma once
 
 #include "common/vec.h"
@@ -20,7 +20,8 @@ struct ListedSphere {
 };
 
 /// The first line names the columns: material,x,y,z,radius,red,green,blue,fuzz_or_ior. Each further line is a
-/// ball; its material is lambertian, metal or dielectric. Throws Error with path and line for what is not that.
+/// ball; its material is lambertian, metal or dielectric. Throws Error with path and line for what is not
+/// that.
 std::vector<ListedSphere> read_sphere_list(const std::string& path);
 
 } // namespace rt

@@ -340,8 +340,8 @@ TEST_CASE("a metal without fuzz is a mirror") {
 }
 
 TEST_CASE("a fuzzy metal strays evenly around the mirror's direction, and loses what goes into the surface") {
-    // On the ball of radius f around the unit mirrored direction, heights are even: with the cosine c of the mirrored
-    // ray a share (1 - c / f) / 2 lies below the surface.
+    // On the ball of radius f around the unit mirrored direction, heights are even: with the cosine c of the
+    // mirrored ray a share (1 - c / f) / 2 lies below the surface.
     for (const float fuzz : {0.2f, 0.7f, 1.0f})
         for (const float cosine : {0.1f, 0.45f, 0.95f}) {
             const vec3 normal = normals[5];

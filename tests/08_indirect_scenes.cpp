@@ -1,5 +1,5 @@
-// Facts about the scenes that step 08 shares with other programs: where things stand, how large they are, and that
-// a rule or a list is followed.
+// Facts about the scenes that step 08 shares with other programs: where things stand, how large they are, and
+// that a rule or a list is followed.
 #include "08_indirect/animal.h"
 #include "08_indirect/cornell.h"
 #include "08_indirect/radiance.h"
@@ -82,8 +82,8 @@ TEST_CASE("the Cornell box has the published walls, lamp and boxes") {
     CHECK(emission(scene, lamp.material) == vec3(15));
     CHECK(float(volume(all.subspan(6, 6))) == approx(165 * 165 * 330, 1e-4f));
     CHECK(float(volume(all.subspan(12, 6))) == approx(165 * 165 * 165, 1e-4f));
-    // Corners that the book's turn and move give: cos 15 = .9659258, sin 15 = .2588190, cos 18 = .9510565, sin 18
-    // = .3090170.
+    // Corners that the book's turn and move give: cos 15 = .9659258, sin 15 = .2588190, cos 18 = .9510565,
+    // sin 18 = .3090170.
     CHECK(has_corner(all.subspan(6, 6), {265 + 165 * 0.9659258f, 330, 295 - 165 * 0.2588190f}));
     CHECK(has_corner(all.subspan(6, 6), {265 + 165 * 0.2588190f, 0, 295 + 165 * 0.9659258f}));
     CHECK(has_corner(all.subspan(12, 6), {130 + 165 * 0.9510565f, 165, 65 + 165 * 0.3090170f}));

@@ -92,7 +92,8 @@ const Ray into_it{{0.5f, 2.5f, 6}, {-0.6f, -2, -5.8f}}; // meets the floor under
 } // namespace
 
 TEST_CASE("however lamps are looked for and bounces are spread, the picture is the same") {
-    // The best single test: an error in a cosine, a distance, an area, a density or a pi is in one of them alone.
+    // The best single test: an error in a cosine, a distance, an area, a density or a pi is in one of them
+    // alone.
     Scene scene = oblique_scene();
     prepare(scene);
     for (const int depth : {1, 2, 5})

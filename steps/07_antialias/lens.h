@@ -1,5 +1,5 @@
-// A lens: rays from all over it that meet again in one plane, which is in focus, and nowhere else (distributed
-// ray tracing: Cook, Porter and Carpenter 1984).
+// A lens: rays from all over it that meet again in one plane, which is in focus, and nowhere else
+// (distributed ray tracing: Cook, Porter and Carpenter 1984).
 #pragma once
 
 #include "01_spheres/camera.h"
@@ -32,8 +32,8 @@ struct Lens {
 };
 
 /// As camera_ray(), but from the point of the lens that u in [0, 1)^2 picks. The lens stands around the
-/// camera's origin, at right angles to `forward`. What is d metres ahead is seen as a disk, whose width on the
-/// plane in focus is aperture |d - focus| / d, the circle of confusion.
+/// camera's origin, at right angles to `forward`. What is d metres ahead is seen as a disk, whose width on
+/// the plane in focus is aperture |d - focus| / d, the circle of confusion.
 inline Ray lens_ray(const Camera& camera, const Lens& lens, vec2 pixel, vec2 u) {
     const Ray ray = camera_ray(camera, pixel);
     if (lens.aperture == 0) return ray;
@@ -60,8 +60,8 @@ struct LensKnobs {
           focus(all.knob("focus", 0.0f, 0.0f, 1e6f,
                          "how far ahead the plane in focus is, metres; 0 for the distance to --at")) {}
 
-    /// Of a camera that stands like that: `other`, but for the knobs that the user has turned. A focus of 0 stands
-    /// for the distance to what the camera looks at.
+    /// Of a camera that stands like that: `other`, but for the knobs that the user has turned. A focus of 0
+    /// stands for the distance to what the camera looks at.
     Lens lens(const Pose& pose, const Lens& other = {.aperture = 0, .focus = 0}) const {
         const float width = options.given("aperture") ? aperture : other.aperture;
         const float ahead = options.given("focus") ? focus : other.focus;

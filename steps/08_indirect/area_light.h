@@ -121,8 +121,9 @@ inline LightPoint light_point(const AreaLights& lights, vec2 u) {
     return point;
 }
 
-/// The density, 1/sr, with which a surface picks the direction of such a point, which it sees at `distance` and
-/// under an angle of this cosine to the light's normal. The area dA fills the directions dA cos / distance^2, so
+/// The density, 1/sr, with which a surface picks the direction of such a point, which it sees at `distance`
+/// and under an angle of this cosine to the light's normal. The area dA fills the directions dA cos /
+/// distance^2, so
 ///     p(w) = p(A) distance^2 / cos,   p(A) = luminance(emission) / power.
 inline float light_pdf(const AreaLights& lights, vec3 emission, float distance, float cosine) {
     if (lights.list.empty()) return 0;
@@ -130,8 +131,9 @@ inline float light_pdf(const AreaLights& lights, vec3 emission, float distance, 
     return glm::min(density, std::numeric_limits<float>::max()); // seen edge-on
 }
 
-/// Two ways find the same light, with densities p and q. The share that counts where the first one finds it: the
-/// power heuristic with exponent 2 (Veach and Guibas 1995),  p^2 / (p^2 + q^2).  Both shares add up to 1. p > 0.
+/// Two ways find the same light, with densities p and q. The share that counts where the first one finds it:
+/// the power heuristic with exponent 2 (Veach and Guibas 1995),  p^2 / (p^2 + q^2).  Both shares add up to 1.
+/// p > 0.
 inline float share(float p, float q) {
     //> by way of q / p, whose square does not overflow where those of p and q do
     const float ratio = q / p;
@@ -142,7 +144,8 @@ inline float share(float p, float q) {
 /// An estimate of the irradiance at the hit from all area lights, W/m^2: one point of one light, and
 ///     E ~ L cos(theta) V / p,   p = the density of the point's direction.
 /// The light shines to both sides; V is 1 if the two points see each other, else 0. `absorption` is that of
-/// the medium between them. `rivals`: the spread of bounces that look for the same lights and take their share.
+/// the medium between them. `rivals`: the spread of bounces that look for the same lights and take their
+/// share.
 template <CastsShadows S, UniformSource Source>
 vec3 area_light(const S& scene, const AreaLights& lights, const Hit& hit, Source& source,
                 vec3 absorption = vec3(0), const Spread* rivals = nullptr) {

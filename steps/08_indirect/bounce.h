@@ -40,7 +40,8 @@ inline float cosine_pdf(float cosine) {
     return glm::max(cosine, 0.0f) / pi;
 }
 
-/// Unit vectors towards all sides, evenly (Archimedes: slices of equal height have equal area). u in [0, 1)^2.
+/// Unit vectors towards all sides, evenly (Archimedes: slices of equal height have equal area). u in [0,
+/// 1)^2.
 inline vec3 unit_vector(vec2 u) {
     const float z = 1 - 2 * u.x;
     const float radius = std::sqrt(glm::max(0.0f, 1 - z * z));

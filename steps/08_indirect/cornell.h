@@ -9,8 +9,8 @@
 
 namespace rt {
 
-/// Six quads that face outward: a box of this size that stands in the origin's corner, turned about the y axis
-/// (degrees, from +z towards +x), then shifted.
+/// Six quads that face outward: a box of this size that stands in the origin's corner, turned about the y
+/// axis (degrees, from +z towards +x), then shifted.
 inline void add_box(Scene& scene, vec3 size, float turn, vec3 shift, int material) {
     const float c = std::cos(glm::radians(turn)), s = std::sin(glm::radians(turn));
     const vec3 x = size.x * vec3(c, 0, -s), y(0, size.y, 0), z = size.z * vec3(s, 0, c);

@@ -14,8 +14,8 @@
 
 namespace rt {
 
-/// How paths look for area lights: by asking them at every matte surface, by running into them, or by both with
-/// multiple importance sampling.
+/// How paths look for area lights: by asking them at every matte surface, by running into them, or by both
+/// with multiple importance sampling.
 enum class Direct { mis, lights, bounces };
 
 /// Which light counts, and how it is looked for. The last three change the noise, never the mean.
@@ -76,15 +76,14 @@ vec3 asked(const S& scene, const AreaLights& lights, const Transport& transport,
 }
 
 /// The share of a lamp's light that counts where a path runs into it. `density` is that of the ray's direction,
-/// infinite if the path had no other way.
+/// which has unit length then; infinite if the path had no other way.
 template <typename S>
 float found(const S& scene, const AreaLights& lights, const Transport& transport, const Ray& ray,
             const Hit& hit, float density) {
     if (density == infinity || transport.direct == Direct::bounces) return 1;
     if (transport.direct == Direct::lights) return 0;
-    const float size = length(ray.direction);
-    const float cosine = dot(ray.direction, hit.geometric_normal) / size;
-    return share(density, light_pdf(lights, emission(scene, hit.material), hit.t * size, cosine));
+    const float cosine = dot(ray.direction, hit.geometric_normal);
+    return share(density, light_pdf(lights, emission(scene, hit.material), hit.t, cosine));
 }
 
 /// An estimate of the radiance that comes back along the ray, W / (m^2 sr), linear RGB. Its mean over many
@@ -98,10 +97,9 @@ vec3 radiance(const S& scene, const AreaLights& lights, const Transport& transpo
     bool matte = false;       // the path has met a matte surface
     for (int bounce = 0;; ++bounce) {
         const auto hit = intersect(scene, ray);
-        if (!hit) {
-            const bool clear = absorption == vec3(0); // a coloured medium without end lets nothing through
-            return clear ? gathered + throughput * radiance(scene.sky, ray.direction) : gathered;
-        }
+        if (!hit && absorption != vec3(0))
+            return gathered; // a coloured medium without end lets nothing through
+        if (!hit) return gathered + throughput * radiance(scene.sky, ray.direction);
         if (absorption != vec3(0)) throughput *= transmittance(absorption, hit->t * length(ray.direction));
         const bool last = bounce == transport.depth || (matte && !transport.indirect);
         const auto met = meet(scene, ray, *hit, absorption, source);
@@ -116,14 +114,14 @@ vec3 radiance(const S& scene, const AreaLights& lights, const Transport& transpo
             if (diffuse.emission != vec3(0))
                 gathered +=
                     throughput * diffuse.emission * found(scene, lights, transport, ray, *hit, density);
-            if (last) return gathered;
-            const vec3 arriving = asked(scene, lights, transport, *hit, absorption, source);
-            gathered += throughput * diffuse.albedo / pi * arriving;
-            //> albedo / pi times the cosine, over the density: of bounces by the cosine only the albedo is left
+            if (last || diffuse.albedo == vec3(0)) return gathered;
+            throughput *= diffuse.albedo;
+            gathered += throughput * asked(scene, lights, transport, *hit, absorption, source) / pi;
+            //> the cosine over pi times the density, which is 1 where bounces go by the cosine
             const vec3 direction = bounce_direction(transport.spread, hit->normal, source.uniform2());
             const float cosine = dot(direction, hit->normal);
             density = bounce_pdf(transport.spread, cosine);
-            throughput *= diffuse.albedo * (cosine / (pi * density));
+            throughput *= cosine / (pi * density);
             ray = ray_from(*hit, direction);
             //< return gathered;
             matte = true;

@@ -1,5 +1,6 @@
-// The last scene of "Ray Tracing in One Weekend" (Shirley, Black and Hollasch 2020): hundreds of balls on a ball,
-// by the book's rule with numbers of our own, or from a list. Glass reflects by Fresnel, not by Schlick.
+// The last scene of "Ray Tracing in One Weekend" (Shirley, Black and Hollasch 2020): hundreds of balls on a
+// ball, by the book's rule with numbers of our own, or from a list. Glass reflects by Fresnel, not by
+// Schlick.
 #pragma once
 
 #include "01_spheres/camera.h"
