@@ -24,7 +24,7 @@ bool on_the_surface(const Hit& right, const Ray& ray, float t) {
 }
 
 /// A tree over the boxes alone: its blocks remember numbers and nothing else.
-struct NumberBlock {
+struct alignas(64) NumberBlock {
     std::array<std::uint32_t, lanes> shape{};
     int count = 0;
 };
@@ -64,7 +64,7 @@ void check_wide_tree(const std::vector<Box>& boxes) {
         deepest = std::max(deepest, depth);
         Box all;
         if (is_block(child)) {
-            const NumberBlock& block = tree.blocks[child ^ block_bit];
+            const NumberBlock& block = block_at(tree, child);
             for (int i = 0; i < block.count; ++i) {
                 const std::uint32_t shape = block.shape[std::size_t(i)];
                 ++times[shape];
@@ -72,7 +72,7 @@ void check_wide_tree(const std::vector<Box>& boxes) {
             }
             return all;
         }
-        const WideNode& node = tree.nodes[child];
+        const WideNode& node = node_at(tree, child);
         int children = 0;
         for (std::size_t lane = 0; lane < lanes; ++lane) {
             const Box box = lane_box(node, lane);
@@ -85,7 +85,7 @@ void check_wide_tree(const std::vector<Box>& boxes) {
         return all;
     };
     if (boxes.empty()) {
-        CHECK(tree.blocks.empty());
+        CHECK(tree.lines.empty());
         return;
     }
     visit(tree.root, 1);
@@ -312,23 +312,30 @@ TEST_CASE("the wide tree is the same on one thread and on many") {
     use_threads(5);
     const auto many = tree_of(boxes);
     use_threads(0);
-    REQUIRE(one.nodes.size() == many.nodes.size());
-    REQUIRE(one.blocks.size() == many.blocks.size());
+    REQUIRE(one.nodes == many.nodes);
+    REQUIRE(one.blocks == many.blocks);
     int different = 0;
-    for (std::size_t i = 0; i < one.nodes.size(); ++i) {
-        different += one.nodes[i].child != many.nodes[i].child;
-        for (std::size_t lane = 0; lane < lanes; ++lane)
-            different += lane_box(one.nodes[i], lane).low != lane_box(many.nodes[i], lane).low;
-    }
-    for (std::size_t i = 0; i < one.blocks.size(); ++i)
-        different += one.blocks[i].shape != many.blocks[i].shape;
+    const std::function<void(std::uint32_t)> visit = [&](std::uint32_t child) {
+        if (is_block(child)) {
+            different += block_at(one, child).shape != block_at(many, child).shape;
+            return;
+        }
+        const WideNode &node = node_at(one, child), &other = node_at(many, child);
+        different += node.child != other.child;
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+            const Box box = lane_box(node, lane), same = lane_box(other, lane);
+            different += box.low != same.low || box.high != same.high;
+            if (!is_empty(box)) visit(node.child[lane]);
+        }
+    };
+    visit(one.root);
     CHECK(different == 0);
 }
 
 TEST_CASE("nodes are nearly full: the binary tree is folded in the cheapest way") {
     const auto tree = tree_of(boxes_of(random_triangles(20000, 0.02f)));
-    const double children = double(tree.nodes.size() + tree.blocks.size() - 1) / double(tree.nodes.size());
-    const double shapes = 20000 / double(tree.blocks.size());
+    const double children = double(tree.nodes + tree.blocks - 1) / double(tree.nodes);
+    const double shapes = 20000 / double(tree.blocks);
     INFO(children, " children a node, ", shapes, " shapes a block");
     CHECK_MESSAGE(children > 5, "3 to 4: nodes are filled from the top without weighing what is left below");
     CHECK_MESSAGE(shapes > 5, "4: the heuristic counts shapes, where it should count blocks");

@@ -62,9 +62,12 @@ inline BlockHits intersect(const TriangleBlock& block, const BlockRay& ray, Row 
     const auto& [a, b, c] = block.corners;
     const auto [x, y, z] = std::array{ray.x, ray.y, ray.z};
     const Row a_z = a[z] - ray.origin[z], b_z = b[z] - ray.origin[z], c_z = c[z] - ray.origin[z];
-    const Row a_x = a[x] - ray.origin[x] - ray.shear_x * a_z, a_y = a[y] - ray.origin[y] - ray.shear_y * a_z;
-    const Row b_x = b[x] - ray.origin[x] - ray.shear_x * b_z, b_y = b[y] - ray.origin[y] - ray.shear_y * b_z;
-    const Row c_x = c[x] - ray.origin[x] - ray.shear_x * c_z, c_y = c[y] - ray.origin[y] - ray.shear_y * c_z;
+    const Row a_x = negative_multiply_add(ray.shear_x, a_z, a[x] - ray.origin[x]);
+    const Row a_y = negative_multiply_add(ray.shear_y, a_z, a[y] - ray.origin[y]);
+    const Row b_x = negative_multiply_add(ray.shear_x, b_z, b[x] - ray.origin[x]);
+    const Row b_y = negative_multiply_add(ray.shear_y, b_z, b[y] - ray.origin[y]);
+    const Row c_x = negative_multiply_add(ray.shear_x, c_z, c[x] - ray.origin[x]);
+    const Row c_y = negative_multiply_add(ray.shear_y, c_z, c[y] - ray.origin[y]);
     const Row u = c_x * b_y - c_y * b_x; // twice the signed area across from a,
     const Row v = a_x * c_y - a_y * c_x; // from b
     const Row w =

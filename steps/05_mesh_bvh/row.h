@@ -32,6 +32,15 @@ inline Row greatest(Row a, Row b) {
     return a > b ? a : b;
 }
 
+/// c - a b, rounded once where the machine can, and twice elsewhere.
+inline Row negative_multiply_add(Row a, Row b, Row c) {
+#ifdef __FMA__
+    return Row(_mm256_fnmadd_ps(__m256(a), __m256(b), __m256(c)));
+#else
+    return c - a * b;
+#endif
+}
+
 /// Bit i is set where lane i holds.
 inline unsigned bits(Mask mask) {
 #if defined(__AVX__)

@@ -261,61 +261,86 @@ struct BinaryBuilder {
     }
 };
 
-/// Folds a binary tree into wide nodes. `leaves` gets the binary leaves in the order of their blocks.
+/// Folds a binary tree into wide nodes.
 struct Folding {
     const std::vector<BinaryNode>& binary;
-    BigVector<WideNode>& nodes;
-    std::vector<std::uint32_t> leaves;
 
     float size(std::uint32_t number) const { return half_area(binary[number].box); }
 
-    /// Small boxes first: of two that a shadow ray enters, the smaller one is likelier to be full.
-    void insert(std::uint32_t number, std::array<std::uint32_t, lanes>& children, std::size_t& count) const {
-        std::size_t place = count++;
-        for (; place > 0 && size(children[place - 1]) > size(number); --place)
-            children[place] = children[place - 1];
-        children[place] = number;
+    /// The binary nodes that become children of a wide one. Small boxes first: of two that a shadow ray enters, the
+    /// smaller one is likelier to be full.
+    struct Children {
+        std::array<std::uint32_t, lanes> number{};
+        std::size_t count = 0;
+    };
+    void insert(std::uint32_t number, Children& children) const {
+        std::size_t place = children.count++;
+        for (; place > 0 && size(children.number[place - 1]) > size(number); --place)
+            children.number[place] = children.number[place - 1];
+        children.number[place] = number;
     }
 
-    /// Which binary nodes become children of a wide one, if `number` has so many places.
-    void spread(std::uint32_t number, std::size_t places, std::array<std::uint32_t, lanes>& children,
-                std::size_t& count) const {
+    /// Shares `places` places between binary node `number` and what is below it.
+    void share(std::uint32_t number, std::size_t places, Children& children) const {
         const BinaryNode& node = binary[number];
         while (places > 1 && node.share[places - 1] == 0) --places;
-        if (places == 1 || node.count > 0) return insert(number, children, count);
-        spread(node.left, node.share[places - 1], children, count);
-        spread(node.right, places - node.share[places - 1], children, count);
+        if (places == 1 || node.count > 0) return insert(number, children);
+        share(node.left, node.share[places - 1], children);
+        share(node.right, places - node.share[places - 1], children);
+    }
+    Children children_of(const BinaryNode& node) const {
+        Children children;
+        share(node.left, node.share[0], children);
+        share(node.right, lanes - node.share[0], children);
+        return children;
     }
 
-    /// Answers what a WideNode's `child` says of binary node `number`.
-    std::uint32_t fold(std::uint32_t number) {
-        const BinaryNode& node = binary[number];
-        if (node.count > 0) {
-            leaves.push_back(number);
-            return std::uint32_t(leaves.size() - 1) | block_bit;
-        }
-        std::array<std::uint32_t, lanes> children{};
-        std::size_t count = 0;
-        spread(node.left, node.share[0], children, count);
-        spread(node.right, lanes - node.share[0], children, count);
-        const auto own = std::uint32_t(nodes.size());
-        nodes.emplace_back();
-        for (std::size_t lane = 0; lane < lanes; ++lane) {
-            const Box box = lane < count ? binary[children[lane]].box : Box{};
-            for (int axis = 0; axis < 3; ++axis) {
-                nodes[own].planes[axis][0][lane] = box.low[axis];
-                nodes[own].planes[axis][1][lane] = box.high[axis];
-            }
-        }
-        for (std::size_t lane = 0; lane < lanes; ++lane) {
-            const std::uint32_t child = lane < count ? fold(children[lane]) : 0;
-            nodes[own].child[lane] = child;
-        }
-        return own;
+    /// How many wide nodes binary node `number` and all below it become.
+    std::size_t count_nodes(std::uint32_t number) const {
+        if (binary[number].count > 0) return 0;
+        const Children children = children_of(binary[number]);
+        std::size_t count = 1;
+        for (std::size_t i = 0; i < children.count; ++i) count += count_nodes(children.number[i]);
+        return count;
     }
 };
 
-/// The wide tree over shapes 0 to count - 1 (at most 2^30): bounds_of(i) is the box of shape i, and put_into(block,
+/// Lays out the wide tree: every node is followed by its children.
+template <typename Block>
+struct Layout {
+    struct Leaf {
+        std::uint32_t line;   ///< where its block is to be
+        std::uint32_t number; ///< of the binary leaf
+    };
+    const Folding& folding;
+    BigVector<CacheLine>& lines;
+    std::vector<Leaf> leaves;
+    std::uint32_t next = 0; ///< the first line that is free
+
+    /// Answers what a WideNode's `child` says of binary node `number`.
+    std::uint32_t place(std::uint32_t number) {
+        const std::uint32_t line = next;
+        if (folding.binary[number].count > 0) {
+            leaves.push_back({line, number});
+            next += std::uint32_t(sizeof(Block) / sizeof(CacheLine));
+            return line | block_bit;
+        }
+        const auto children = folding.children_of(folding.binary[number]);
+        WideNode& node = *new (&lines[line]) WideNode;
+        next += std::uint32_t(sizeof(WideNode) / sizeof(CacheLine));
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+            const Box box = lane < children.count ? folding.binary[children.number[lane]].box : Box{};
+            for (int axis = 0; axis < 3; ++axis) {
+                node.planes[axis][0][lane] = box.low[axis];
+                node.planes[axis][1][lane] = box.high[axis];
+            }
+            node.child[lane] = lane < children.count ? place(children.number[lane]) : 0;
+        }
+        return line;
+    }
+};
+
+/// The wide tree over shapes 0 to count - 1 (at most 2^29): bounds_of(i) is the box of shape i, and put_into(block,
 /// lane, i) writes it into a block. The same shapes give the same tree, on any number of threads.
 template <typename Block, typename BoundsOf, typename PutInto>
 WideBvh<Block> build_wide_bvh(std::size_t count, const BoundsOf& bounds_of, const PutInto& put_into) {
@@ -334,15 +359,18 @@ WideBvh<Block> build_wide_bvh(std::size_t count, const BoundsOf& bounds_of, cons
         builder.build(binary, builder.whole(), 0, 0);
         order = std::move(builder.order);
     }
-    Folding folding{binary, bvh.nodes, {}};
-    bvh.root = folding.fold(0);
-    bvh.blocks.resize(folding.leaves.size());
-    in_ranges(bvh.blocks.size(), 512, [&](std::size_t begin, std::size_t end) {
+    const Folding folding{binary};
+    bvh.blocks =
+        std::size_t(std::ranges::count_if(binary, [](const BinaryNode& node) { return node.count > 0; }));
+    bvh.nodes = folding.count_nodes(0);
+    bvh.lines.resize((bvh.nodes * sizeof(WideNode) + bvh.blocks * sizeof(Block)) / sizeof(CacheLine));
+    Layout<Block> layout{folding, bvh.lines, {}};
+    bvh.root = layout.place(0);
+    in_ranges(layout.leaves.size(), 512, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            const BinaryNode& leaf = binary[folding.leaves[i]];
-            bvh.blocks[i] = Block{};
-            for (std::uint32_t k = 0; k < leaf.count; ++k)
-                put_into(bvh.blocks[i], int(k), order[leaf.first + k]);
+            const BinaryNode& leaf = binary[layout.leaves[i].number];
+            Block& block = *new (&bvh.lines[layout.leaves[i].line]) Block{};
+            for (std::uint32_t k = 0; k < leaf.count; ++k) put_into(block, int(k), order[leaf.first + k]);
         }
     });
     return bvh;

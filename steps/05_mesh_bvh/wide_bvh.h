@@ -9,16 +9,19 @@
 
 #include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 namespace rt {
 
-/// Eight boxes, axis by axis, low planes before high ones; and what is in them: a node's number, or a block's with
-/// the highest bit set. An empty lane's box is inside out (low = infinity), so that no ray enters it.
+/// Eight boxes, axis by axis, low planes before high ones; and what is in them. An empty lane's box is inside out
+/// (low = infinity), so that no ray enters it.
 struct alignas(64) WideNode {
     Row planes[3][2];
-    std::array<std::uint32_t, lanes> child;
+    std::array<std::uint32_t, lanes>
+        child; ///< the line at which a node begins, or a block with the highest bit set
 };
 
 inline constexpr std::uint32_t block_bit = 0x80000000;
@@ -27,13 +30,38 @@ constexpr bool is_block(std::uint32_t child) {
     return (child & block_bit) != 0;
 }
 
-/// `Block` is TriangleBlock or SphereBlock, or whatever has an intersect() like theirs.
+/// What memory is fetched by.
+struct alignas(64) CacheLine {
+    std::byte bytes[64];
+};
+
+/// Nodes and blocks in one array, each beside its parent: what is needed next is near, one pointer reaches all, and
+/// fetching ahead need not know which of the two it fetches. `Block` is TriangleBlock or SphereBlock, or whatever has
+/// an intersect() like theirs.
 template <typename Block>
 struct WideBvh {
-    BigVector<WideNode> nodes;
-    BigVector<Block> blocks;
-    std::uint32_t root = 0; ///< like a child
+    BigVector<CacheLine> lines;        ///< none without shapes
+    std::uint32_t root = 0;            ///< like a child
+    std::size_t nodes = 0, blocks = 0; ///< how many there are
 };
+
+template <typename Block>
+const WideNode& node_at(const WideBvh<Block>& bvh, std::uint32_t child) {
+    return *reinterpret_cast<const WideNode*>(bvh.lines.data() + child);
+}
+
+template <typename Block>
+const Block& block_at(const WideBvh<Block>& bvh, std::uint32_t child) {
+    return *reinterpret_cast<const Block*>(bvh.lines.data() + (child & ~block_bit));
+}
+
+/// Starts fetching what a child refers to: by the time it is its turn, it is there.
+template <typename Block>
+void prefetch(const WideBvh<Block>& bvh, std::uint32_t child) {
+    const CacheLine* const begin = bvh.lines.data() + (child & ~block_bit);
+    for (std::size_t line = 0; line < sizeof(Block) / sizeof(CacheLine); ++line)
+        __builtin_prefetch(begin + line);
+}
 
 /// A ray as the nodes want it. `near` tells which planes it meets first, as their distance in bytes from the node's
 /// begin: choosing rows once a ray is cheaper than swapping numbers once a box.
@@ -60,7 +88,7 @@ inline WideRay wide_ray(const Ray& ray) {
 
 /// The slab test of box.h for eight boxes: which ones the ray enters, and at which t. A plane in which the ray lies
 /// gives NaN, and the order of the operands lets the other number through.
-inline unsigned enter(const WideNode& node, const WideRay& ray, Row t_max, Row& t) {
+[[gnu::always_inline]] inline unsigned enter(const WideNode& node, const WideRay& ray, Row t_max, Row& t) {
     const auto plane = [](std::uintptr_t address) { return *reinterpret_cast<const Row*>(address); };
     const auto begin = reinterpret_cast<std::uintptr_t>(&node);
     const std::uintptr_t x = begin + ray.near[0], y = begin + ray.near[1], z = begin + ray.near[2];
@@ -75,14 +103,6 @@ inline unsigned enter(const WideNode& node, const WideRay& ray, Row t_max, Row& 
     return bits(t <= least(out_x, least(out_y, least(out_z, t_max))));
 }
 
-/// Starts fetching what a child refers to: by the time it is its turn, it is there.
-template <typename Block>
-void prefetch(const WideBvh<Block>& bvh, std::uint32_t child) {
-    const char* const begin = is_block(child) ? reinterpret_cast<const char*>(&bvh.blocks[child ^ block_bit])
-                                              : reinterpret_cast<const char*>(&bvh.nodes[child]);
-    for (int line = 0; line < 5; ++line) __builtin_prefetch(begin + 64 * line);
-}
-
 /// Takes the lowest bit out of `mask` and answers its number.
 inline std::size_t next_lane(unsigned& mask) {
     const int lane = std::countr_zero(mask);
@@ -93,30 +113,26 @@ inline std::size_t next_lane(unsigned& mask) {
 /// No path down a tree is longer: 48 levels of cuts and 28 of halving.
 inline constexpr std::size_t wide_depth = 80;
 
-/// What a ray has entered and not yet visited. Every node leaves at most seven children behind.
+/// What a ray has entered and not yet visited.
 struct Waiting {
-    struct Entry {
-        std::uint32_t child;
-        float t;
-    };
-    std::array<Entry, 7 * wide_depth> entries;
-    std::size_t size = 0;
-
-    /// Puts the entry below those from `begin` on that are nearer.
-    void insert(std::size_t begin, Entry entry) {
-        std::size_t place = size++;
-        for (; place > begin && entries[place - 1].t < entry.t; --place) entries[place] = entries[place - 1];
-        entries[place] = entry;
-    }
+    std::uint32_t child;
+    float t;
 };
+
+/// Puts the entry on the stack, below those from `begin` on that are nearer.
+inline void insert(const Waiting* begin, Waiting*& top, Waiting entry) {
+    Waiting* place = top++;
+    for (; place > begin && place[-1].t < entry.t; --place) *place = place[-1];
+    *place = entry;
+}
 
 /// Goes down from `child` to a block, always to the nearest box; the others that the ray enters wait. False if a
 /// node is reached of which it enters none.
 template <typename Block>
-bool descend(const WideBvh<Block>& bvh, const WideRay& ray, Row t_max, Waiting& waiting,
-             std::uint32_t& child) {
+[[gnu::always_inline]] inline bool descend(const WideBvh<Block>& bvh, const WideRay& ray, Row t_max,
+                                           Waiting*& top, std::uint32_t& child) {
     while (!is_block(child)) {
-        const WideNode& node = bvh.nodes[child];
+        const WideNode& node = node_at(bvh, child);
         tally.box_tests += lanes;
         Row t_in;
         unsigned entered = enter(node, ray, t_max, t_in);
@@ -124,14 +140,15 @@ bool descend(const WideBvh<Block>& bvh, const WideRay& ray, Row t_max, Waiting& 
         const std::size_t first = next_lane(entered);
         child = node.child[first];
         if (entered == 0) continue;
-        const auto t = std::bit_cast<std::array<float, lanes>>(t_in);
-        Waiting::Entry nearest{child, t[first]};
-        for (const std::size_t begin = waiting.size; entered != 0;) {
+        alignas(Row) float t[lanes];
+        __builtin_memcpy(t, &t_in, sizeof t);
+        Waiting nearest{child, t[first]};
+        for (const Waiting* const begin = top; entered != 0;) {
             const std::size_t lane = next_lane(entered);
-            Waiting::Entry entry{node.child[lane], t[lane]};
+            Waiting entry{node.child[lane], t[lane]};
             prefetch(bvh, entry.child);
             if (entry.t < nearest.t) std::swap(entry, nearest);
-            waiting.insert(begin, entry);
+            insert(begin, top, entry);
         }
         child = nearest.child;
     }
@@ -147,16 +164,17 @@ struct BlockHit {
 /// The nearest shape that the ray meets.
 template <typename Block>
 std::optional<BlockHit> nearest(const WideBvh<Block>& bvh, const Ray& ray) {
-    if (bvh.blocks.empty()) return std::nullopt;
+    if (bvh.lines.empty()) return std::nullopt;
     const WideRay wide = wide_ray(ray);
     const BlockRay narrow = block_ray(ray);
     BlockHit best{ray.t_max, 0, 0, no_shape};
     Row t_max = row(ray.t_max);
-    Waiting waiting;
+    std::array<Waiting, 7 * wide_depth> stack; // every node leaves at most seven children behind
+    Waiting* top = stack.data();
     std::uint32_t child = bvh.root;
     while (true) {
-        if (descend(bvh, wide, t_max, waiting, child)) {
-            const Block& block = bvh.blocks[child ^ block_bit];
+        if (descend(bvh, wide, t_max, top, child)) {
+            const Block& block = block_at(bvh, child);
             tally.triangle_tests += lanes;
             const BlockHits hits = intersect(block, narrow, wide.t_min, t_max);
             for (unsigned hit = bits(hits.hit); hit != 0;) {
@@ -167,10 +185,10 @@ std::optional<BlockHit> nearest(const WideBvh<Block>& bvh, const Ray& ray) {
             t_max = row(best.t);
         }
         do {
-            if (waiting.size == 0) return best.shape == no_shape ? std::nullopt : std::optional(best);
-            --waiting.size;
-        } while (waiting.entries[waiting.size].t > best.t);
-        child = waiting.entries[waiting.size].child;
+            if (top == stack.data()) return best.shape == no_shape ? std::nullopt : std::optional(best);
+            --top;
+        } while (top->t > best.t);
+        child = top->child;
     }
 }
 
@@ -178,33 +196,34 @@ std::optional<BlockHit> nearest(const WideBvh<Block>& bvh, const Ray& ray) {
 /// of lanes.
 template <typename Block>
 bool any_hit(const WideBvh<Block>& bvh, const Ray& ray) {
-    struct Entry {
+    struct Lanes {
         const WideNode* node;
         unsigned entered;
     };
-    std::array<Entry, wide_depth> waiting;
-    std::size_t size = 0;
-    if (bvh.blocks.empty()) return false;
+    if (bvh.lines.empty()) return false;
     const WideRay wide = wide_ray(ray);
     const BlockRay narrow = block_ray(ray);
     const Row t_max = row(ray.t_max);
+    std::array<Lanes, wide_depth> stack;
+    Lanes* top = stack.data();
     std::uint32_t child = bvh.root;
     while (true) {
         if (is_block(child)) {
             tally.triangle_tests += lanes;
-            const BlockHits hits = intersect(bvh.blocks[child ^ block_bit], narrow, wide.t_min, t_max);
-            if (bits(hits.hit) != 0) return true;
+            if (bits(intersect(block_at(bvh, child), narrow, wide.t_min, t_max).hit) != 0) return true;
         } else {
             tally.box_tests += lanes;
             Row t;
-            const WideNode& node = bvh.nodes[child];
-            const unsigned entered = enter(node, wide, t_max, t);
-            if (entered != 0) waiting[size++] = {&node, entered};
+            const WideNode& node = node_at(bvh, child);
+            if (unsigned entered = enter(node, wide, t_max, t); entered != 0) {
+                child = node.child[next_lane(entered)];
+                if (entered != 0) *top++ = {&node, entered};
+                continue;
+            }
         }
-        if (size == 0) return false;
-        Entry& top = waiting[size - 1];
-        child = top.node->child[next_lane(top.entered)];
-        if (top.entered == 0) --size;
+        if (top == stack.data()) return false;
+        child = top[-1].node->child[next_lane(top[-1].entered)];
+        if (top[-1].entered == 0) --top;
     }
 }
 

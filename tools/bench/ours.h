@@ -1,9 +1,11 @@
 // Our side of the comparison: the one place that knows which of our structures is measured.
 #pragma once
 
-#include "05_mesh_bvh/bvh.h"
 #include "05_mesh_bvh/mesh.h"
 #include "05_mesh_bvh/triangle.h"
+#include "05_mesh_bvh/wide_build.h"
+#include "05_mesh_bvh/wide_bvh.h"
+#include "common/parallel.h"
 
 #include <cstdint>
 #include <vector>
@@ -18,37 +20,22 @@ struct Found {
     std::uint32_t primitive = nothing;
 };
 
-struct Ours {
-    const Mesh* mesh;
-    Bvh tree;
-};
+using Ours = WideBvh<TriangleBlock>;
 
-inline Ours build_ours(const Mesh& mesh, [[maybe_unused]] int threads) {
-    std::vector<Box> boxes(mesh.triangles.size());
-    for (std::uint32_t i = 0; i < boxes.size(); ++i) boxes[i] = bounds(mesh, i);
-    return {&mesh, build_bvh(boxes)};
+inline Ours build_ours(const Mesh& mesh, int threads) {
+    use_threads(threads);
+    return build_wide_bvh<TriangleBlock>(
+        mesh.triangles.size(), [&](std::uint32_t i) { return bounds(mesh, i); },
+        [&](TriangleBlock& block, int lane, std::uint32_t i) { put(block, lane, corners(mesh, i), i); });
 }
 
-inline Found nearest(const Ours& ours, Ray ray) {
-    Found found;
-    traverse(ours.tree, ray, [&](std::uint32_t i) {
-        const auto [a, b, c] = corners(*ours.mesh, i);
-        if (const auto hit = intersect(a, b, c, ray)) {
-            ray.t_max = hit->t;
-            found = {hit->t, hit->u, hit->v, i};
-        }
-        return false;
-    });
-    return found;
+inline Found nearest(const Ours& ours, const Ray& ray) {
+    const auto hit = rt::nearest(ours, ray);
+    return hit ? Found{hit->t, hit->u, hit->v, hit->shape} : Found{};
 }
 
 inline bool any_hit(const Ours& ours, const Ray& ray) {
-    bool found = false;
-    traverse(ours.tree, ray, [&](std::uint32_t i) {
-        const auto [a, b, c] = corners(*ours.mesh, i);
-        return found = intersect(a, b, c, ray).has_value();
-    });
-    return found;
+    return rt::any_hit(ours, ray);
 }
 
 /// The truth, by asking every triangle.
