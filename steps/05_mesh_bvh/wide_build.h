@@ -55,8 +55,9 @@ inline std::uint32_t shape_of(const Fragment& fragment) {
     return std::bit_cast<std::uint32_t>(fragment.box.low[3]) & 0x3fffffff;
 }
 
+/// Twice the middle of the box: as good for telling left from right.
 inline Four middle(const Fragment& fragment) {
-    return fragment.box.low * 0.5f + fragment.box.high * 0.5f;
+    return fragment.box.low + fragment.box.high;
 }
 
 /// The fragments begin to end - 1, the box of all, and the box of their middles.
@@ -67,20 +68,20 @@ struct Range {
     std::size_t count() const { return end - begin; }
 };
 
-/// Equal bins along each axis, over the box of the middles.
+/// `count` equal bins along each axis, over the box of the middles.
 struct Binning {
-    static constexpr int count = 16;
     Four low, per_width;
+    int last;
 
-    explicit Binning(const FourBox& middles) : low(middles.low) {
+    Binning(const FourBox& middles, int count) : low(middles.low), last(count - 1) {
         const Four size = middles.high - middles.low;
-        per_width = size > 0 ? (count * (1 - 0x1p-20f)) / size : Four{};
+        per_width = size > 0 ? (float(count) * (1 - 0x1p-20f)) / size : Four{};
     }
     /// The bin on each axis; the comparisons also catch what is not a number, in a box without end.
     FourInts operator()(Four place) const {
         const FourInts bin = __builtin_convertvector((place - low) * per_width, FourInts);
-        const FourInts last = FourInts{} + (count - 1);
-        return bin < 0 ? FourInts{} : bin > last ? last : bin;
+        const FourInts highest = FourInts{} + last;
+        return bin < 0 ? FourInts{} : bin > highest ? highest : bin;
     }
 };
 
@@ -97,9 +98,10 @@ inline float blocks_of(std::size_t shapes) {
     return float((shapes + lanes - 1) / lanes);
 }
 
+template <int count>
 struct Bins {
-    FourBox boxes[3][Binning::count];
-    std::uint32_t counts[3][Binning::count] = {};
+    FourBox boxes[3][count];
+    std::uint32_t counts[3][count] = {};
 
     void add(const Fragment& fragment, FourInts bin) {
         for (int axis = 0; axis < 3; ++axis) {
@@ -108,29 +110,57 @@ struct Bins {
         }
     }
 
+    void add(const Bins& other) {
+        for (int axis = 0; axis < 3; ++axis) {
+            for (int bin = 0; bin < count; ++bin) {
+                grow(boxes[axis][bin], other.boxes[axis][bin]);
+                counts[axis][bin] += other.counts[axis][bin];
+            }
+        }
+    }
+
     /// Sweeps along the axis from both ends; `best` becomes the cheapest cut if that is cheaper.
     void sweep(int axis, std::size_t total, WideCut& best) const {
-        std::array<FourBox, Binning::count> right;
-        for (int i = Binning::count - 1; i > 0; --i) {
-            right[std::size_t(i)] = boxes[axis][i];
-            if (i + 1 < Binning::count) grow(right[std::size_t(i)], right[std::size_t(i) + 1]);
+        std::array<FourBox, count> right;
+        right[count - 1] = boxes[axis][count - 1];
+        for (std::size_t i = count - 1; i > 1; --i) {
+            right[i - 1] = right[i];
+            grow(right[i - 1], boxes[axis][i - 1]);
         }
         FourBox left;
-        std::size_t count = 0;
-        for (int i = 1; i < Binning::count; ++i) {
+        std::size_t shapes = 0;
+        for (std::size_t i = 1; i < count; ++i) {
             grow(left, boxes[axis][i - 1]);
-            count += counts[axis][i - 1];
-            if (count == 0 || count == total) continue;
-            const float cost = half_area(left) * blocks_of(count) +
-                               half_area(right[std::size_t(i)]) * blocks_of(total - count);
-            if (cost < best.cost) best = {axis, i, cost, left, right[std::size_t(i)]};
+            shapes += counts[axis][i - 1];
+            if (shapes == 0 || shapes == total) continue;
+            const float cost =
+                half_area(left) * blocks_of(shapes) + half_area(right[i]) * blocks_of(total - shapes);
+            if (cost < best.cost) best = {axis, int(i), cost, left, right[i]};
         }
     }
 };
 
-inline WideCut best_cut(std::span<const Fragment> fragments, const Binning& binning) {
-    Bins filled;
-    for (const Fragment& fragment : fragments) filled.add(fragment, binning(middle(fragment)));
+/// Of so many fragments two threads make short work. What they find does not depend on the order.
+inline constexpr std::size_t many_fragments = 1 << 16;
+
+template <int count>
+Bins<count> fill_bins(std::span<const Fragment> fragments, const Binning& binning) {
+    Bins<count> filled;
+    if (fragments.size() < many_fragments) {
+        for (const Fragment& fragment : fragments) filled.add(fragment, binning(middle(fragment)));
+        return filled;
+    }
+    const std::size_t half = fragments.size() / 2;
+    Bins<count> others;
+    both([&] { filled = fill_bins<count>(fragments.first(half), binning); },
+         [&] { others = fill_bins<count>(fragments.subspan(half), binning); });
+    filled.add(others);
+    return filled;
+}
+
+template <int count>
+WideCut best_cut(std::span<const Fragment> fragments, const Binning& binning) {
+    const Bins<count> filled = fill_bins<count>(fragments, binning);
     WideCut best;
     for (int axis = 0; axis < 3; ++axis)
         if (binning.per_width[axis] > 0) filled.sweep(axis, fragments.size(), best);
@@ -175,9 +205,19 @@ struct BinaryBuilder {
     std::array<BigVector<Fragment>, 2> fragments;
     BigVector<std::uint32_t> order;
 
-    Range whole() const {
-        Range range{0, order.size(), {}, {}};
-        for (const Fragment& fragment : fragments[0]) add(range, fragment);
+    /// The fragments begin to end - 1 of the first array.
+    Range range_of(std::size_t begin, std::size_t end) const {
+        Range range{begin, end, {}, {}};
+        if (range.count() < many_fragments) {
+            for (std::size_t i = begin; i < end; ++i) add(range, fragments[0][i]);
+            return range;
+        }
+        Range others;
+        both([&] { range = range_of(begin, begin + (end - begin) / 2); },
+             [&] { others = range_of(begin + (end - begin) / 2, end); });
+        grow(range.box, others.box);
+        grow(range.middles, others.middles);
+        range.end = end;
         return range;
     }
     static void add(Range& range, const Fragment& fragment) {
@@ -189,22 +229,29 @@ struct BinaryBuilder {
     std::array<Range, 2> cut(const Range& range, int side, bool halve) {
         const Fragment* const from = fragments[std::size_t(side)].data();
         Fragment* const to = fragments[std::size_t(1 - side)].data();
-        const Binning binning(range.middles);
-        const WideCut best = halve ? WideCut{} : best_cut({from + range.begin, range.count()}, binning);
+        const bool few = range.count() < 64; // for which half the bins do as well
+        const Binning binning(range.middles, few ? 8 : 16);
+        const std::span<const Fragment> all{from + range.begin, range.count()};
+        const WideCut best = halve ? WideCut{} : few ? best_cut<8>(all, binning) : best_cut<16>(all, binning);
         if (best.axis < 0) return halves(range, from, to);
         std::size_t low = range.begin, high = range.end;
-        FourBox middles[2];
+        FourBox left_middles, right_middles;
         for (std::size_t i = range.begin; i < range.end; ++i) {
             const Fragment fragment = from[i];
             const Four place = middle(fragment);
             const bool left = binning(place)[best.axis] < best.bin;
-            to[low] = to[high - 1] = fragment; // to both sides, and only one moves on: no branch to guess
+            to[low] = fragment; // to both sides, and only one moves on: no branch to guess
+            to[high - 1] = fragment;
             low += left;
             high -= !left;
-            grow(middles[left], {place, place});
+            const FourInts goes_left = FourInts{} - int(left);
+            left_middles.low = least(goes_left ? place : left_middles.low, left_middles.low);
+            left_middles.high = greatest(goes_left ? place : left_middles.high, left_middles.high);
+            right_middles.low = least(goes_left ? right_middles.low : place, right_middles.low);
+            right_middles.high = greatest(goes_left ? right_middles.high : place, right_middles.high);
         }
-        return {Range{range.begin, low, best.left, middles[1]},
-                Range{low, range.end, best.right, middles[0]}};
+        return {Range{range.begin, low, best.left, left_middles},
+                Range{low, range.end, best.right, right_middles}};
     }
 
     /// The first half and the rest, as they lie.
@@ -217,7 +264,7 @@ struct BinaryBuilder {
     }
 
     /// Appends the tree of the range to `nodes`.
-    void build(std::vector<BinaryNode>& nodes, const Range& range, int side, int depth) {
+    void build(BigVector<BinaryNode>& nodes, const Range& range, int side, int depth) {
         const std::size_t own = nodes.size();
         BinaryNode node{{vec3(range.box.low[0], range.box.low[1], range.box.low[2]),
                          vec3(range.box.high[0], range.box.high[1], range.box.high[2])}};
@@ -239,15 +286,15 @@ struct BinaryBuilder {
     }
 
     /// Appends both trees, large ones at the same time, and answers the number of the right one's root.
-    std::uint32_t build_both(std::vector<BinaryNode>& nodes, const Range& left, const Range& right, int side,
+    std::uint32_t build_both(BigVector<BinaryNode>& nodes, const Range& left, const Range& right, int side,
                              int depth) {
-        if (left.count() + right.count() < std::max<std::size_t>(order.size() / 8, 8192)) {
+        if (left.count() + right.count() < std::max<std::size_t>(order.size() / 16, 16384)) {
             build(nodes, left, side, depth);
             const auto root = std::uint32_t(nodes.size());
             build(nodes, right, side, depth);
             return root;
         }
-        std::vector<BinaryNode> others;
+        BigVector<BinaryNode> others;
         both([&] { build(nodes, left, side, depth); }, [&] { build(others, right, side, depth); });
         const auto root = std::uint32_t(nodes.size());
         for (BinaryNode& node : others) {
@@ -263,7 +310,7 @@ struct BinaryBuilder {
 
 /// Folds a binary tree into wide nodes.
 struct Folding {
-    const std::vector<BinaryNode>& binary;
+    const BigVector<BinaryNode>& binary;
 
     float size(std::uint32_t number) const { return half_area(binary[number].box); }
 
@@ -346,17 +393,18 @@ template <typename Block, typename BoundsOf, typename PutInto>
 WideBvh<Block> build_wide_bvh(std::size_t count, const BoundsOf& bounds_of, const PutInto& put_into) {
     WideBvh<Block> bvh;
     if (count == 0) return bvh;
-    std::vector<BinaryNode> binary;
+    BigVector<BinaryNode> binary;
+    binary.reserve(count / 3 + 1); // a leaf holds six shapes or more, as a rule
     BigVector<std::uint32_t> order;
     {
         BinaryBuilder builder;
         for (auto& fragments : builder.fragments) fragments.resize(count);
         builder.order.resize(count);
-        in_ranges(count, 4096, [&](std::size_t begin, std::size_t end) {
+        in_ranges(count, 32768, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i)
                 builder.fragments[0][i] = fragment(bounds_of(std::uint32_t(i)), std::uint32_t(i));
         });
-        builder.build(binary, builder.whole(), 0, 0);
+        builder.build(binary, builder.range_of(0, count), 0, 0);
         order = std::move(builder.order);
     }
     const Folding folding{binary};
@@ -366,7 +414,7 @@ WideBvh<Block> build_wide_bvh(std::size_t count, const BoundsOf& bounds_of, cons
     bvh.lines.resize((bvh.nodes * sizeof(WideNode) + bvh.blocks * sizeof(Block)) / sizeof(CacheLine));
     Layout<Block> layout{folding, bvh.lines, {}};
     bvh.root = layout.place(0);
-    in_ranges(layout.leaves.size(), 512, [&](std::size_t begin, std::size_t end) {
+    in_ranges(layout.leaves.size(), 4096, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const BinaryNode& leaf = binary[layout.leaves[i].number];
             Block& block = *new (&bvh.lines[layout.leaves[i].line]) Block{};
