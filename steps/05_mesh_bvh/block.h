@@ -20,7 +20,7 @@ struct BlockRay {
     Row shear_x, shear_y, scale; ///< take the direction to the unit vector along z
 };
 
-inline BlockRay block_ray(const Ray& ray) {
+[[gnu::always_inline]] inline BlockRay block_ray(const Ray& ray) {
     const vec3 d = abs(ray.direction);
     const int z = d.x > d.y ? (d.x > d.z ? 0 : 2) : (d.y > d.z ? 1 : 2);
     const int x = (z + 1) % 3, y = (z + 2) % 3;
@@ -58,7 +58,8 @@ inline void put(TriangleBlock& block, int lane, const std::array<vec3, 3>& corne
 /// from the origin: then it meets a triangle whose three edges all turn the same way around (0, 0). The edge
 /// functions of two triangles that share an edge are each other's exact negatives, since a product is rounded the
 /// same way on both sides: no ray slips through between them, in float and without an epsilon.
-inline BlockHits intersect(const TriangleBlock& block, const BlockRay& ray, Row t_min, Row t_max) {
+[[gnu::always_inline]] inline BlockHits intersect(const TriangleBlock& block, const BlockRay& ray, Row t_min,
+                                                  Row t_max) {
     const auto& [a, b, c] = block.corners;
     const auto [x, y, z] = std::array{ray.x, ray.y, ray.z};
     const Row a_z = a[z] - ray.origin[z], b_z = b[z] - ray.origin[z], c_z = c[z] - ray.origin[z];
@@ -92,7 +93,8 @@ inline void put(SphereBlock& block, int lane, const Sphere& sphere, std::uint32_
 }
 
 /// The roots of intersect(const Sphere&, ...), in double for the same reason.
-inline BlockHits intersect(const SphereBlock& block, const BlockRay& ray, Row t_min, Row t_max) {
+[[gnu::always_inline]] inline BlockHits intersect(const SphereBlock& block, const BlockRay& ray, Row t_min,
+                                                  Row t_max) {
     RowOfDoubles h{}, c{};
     for (int axis = 0; axis < 3; ++axis) {
         const auto to_center =

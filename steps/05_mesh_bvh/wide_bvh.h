@@ -73,7 +73,7 @@ struct WideRay {
     Row t_min;
 };
 
-inline WideRay wide_ray(const Ray& ray) {
+[[gnu::always_inline]] inline WideRay wide_ray(const Ray& ray) {
     WideRay wide;
     for (int axis = 0; axis < 3; ++axis) {
         const float inverse = 1 / ray.direction[axis];
