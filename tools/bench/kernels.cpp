@@ -55,6 +55,48 @@ void triangle(benchmark::State& state) {
     repeat(state, [&](std::size_t i) { return intersect(a, b, c, rays[i]); });
 }
 
+/// Eight at once: a node's boxes, a block of triangles, a block of spheres.
+void eight_boxes(benchmark::State& state) {
+    const std::vector<Ray> rays = some_rays();
+    WideNode node{};
+    for (int axis = 0; axis < 3; ++axis)
+        for (int lane = 0; lane < lanes; ++lane) {
+            node.planes[axis][0][lane] = float(lane % 4) / 4 + (axis == 2 ? 1.0f : -0.5f);
+            node.planes[axis][1][lane] = node.planes[axis][0][lane] + 0.3f;
+        }
+    std::vector<WideRay> wide;
+    for (const Ray& ray : rays) wide.push_back(wide_ray(ray));
+    repeat(state, [&](std::size_t i) {
+        Row t;
+        return enter(node, wide[i], row(infinity), t);
+    });
+}
+
+template <typename Block>
+void eight(benchmark::State& state, const Block& block) {
+    const std::vector<Ray> rays = some_rays();
+    std::vector<BlockRay> block_rays;
+    for (const Ray& ray : rays) block_rays.push_back(block_ray(ray));
+    repeat(state,
+           [&](std::size_t i) { return bits(intersect(block, block_rays[i], row(0), row(infinity)).hit); });
+}
+
+void eight_triangles(benchmark::State& state) {
+    TriangleBlock block{};
+    for (int lane = 0; lane < lanes; ++lane) {
+        const float z = 1 + float(lane) / 8;
+        put(block, lane, {vec3(-1, -1, z), vec3(1, -1, z), vec3(0, 1, z)}, std::uint32_t(lane));
+    }
+    eight(state, block);
+}
+
+void eight_spheres(benchmark::State& state) {
+    SphereBlock block{};
+    for (int lane = 0; lane < lanes; ++lane)
+        put(block, lane, Sphere{{0, 0, 1 + float(lane)}, 0.7f, 0}, std::uint32_t(lane));
+    eight(state, block);
+}
+
 void sphere(benchmark::State& state) {
     const std::vector<Ray> rays = some_rays();
     const Sphere ball{{0, 0, 2}, 1, 0};
@@ -103,6 +145,9 @@ void tree_build(benchmark::State& state) {
 BENCHMARK(box)->Name("ray and box");
 BENCHMARK(triangle)->Name("ray and triangle");
 BENCHMARK(sphere)->Name("ray and sphere");
+BENCHMARK(eight_boxes)->Name("ray and a node of eight boxes");
+BENCHMARK(eight_triangles)->Name("ray and a block of eight triangles");
+BENCHMARK(eight_spheres)->Name("ray and a block of eight spheres");
 BENCHMARK(random_number)->Name("random number");
 BENCHMARK(fresnel_term)->Name("Fresnel");
 BENCHMARK(texture)->Name("texture, bilinear");

@@ -306,23 +306,6 @@ Table any_table(const std::vector<Json>& list) {
     return table;
 }
 
-/// Rows that tell a name, seconds and an error become curves of the error over time.
-LogPlot error_plot(const std::vector<Json>& list) {
-    LogPlot plot{"Error over time", "seconds", "error", {}};
-    for (const Json& row : list) {
-        std::string name;
-        for (const Json& one : row.list)
-            if (one.kind == Json::Kind::text) name += (name.empty() ? "" : ", ") + one.text;
-        auto curve = std::ranges::find(plot.curves, name, &Curve::name);
-        if (curve == plot.curves.end())
-            curve = plot.curves.insert(curve,
-                                       Curve{name, {}, int(plot.curves.size() % 6), plot.curves.size() > 5});
-        curve->points.emplace_back(value(row, "seconds"), value(row, "error"));
-    }
-    for (Curve& curve : plot.curves) std::ranges::sort(curve.points);
-    return plot;
-}
-
 void add_any(Report& report, const std::string& name, const std::string& title, const Json& json) {
     report.text += "## " + title + "\n\n";
     for (std::size_t i = 0; i < json.names.size(); ++i) {
@@ -330,10 +313,14 @@ void add_any(Report& report, const std::string& name, const std::string& title, 
         const std::vector<Json> rows = one.kind == Json::Kind::fields ? std::vector<Json>(1, one) : one.list;
         if (rows.empty() || rows[0].names.empty()) continue;
         report.text += markdown(any_table(rows), 0);
-        const bool errors =
-            std::isfinite(value(rows[0], "seconds")) && std::isfinite(value(rows[0], "error"));
-        if (errors) report.plot(name + "_" + json.names[i] + ".svg", error_plot(rows));
     }
+    std::vector<std::string> plots; // that the benchmark has drawn itself
+    for (const auto& file : fs::directory_iterator(report.folder)) {
+        const std::string plot = file.path().filename().string();
+        if (plot.starts_with(name + "_") && plot.ends_with(".svg")) plots.push_back(plot);
+    }
+    std::ranges::sort(plots);
+    for (const std::string& plot : plots) report.text += "![" + title + "](" + plot + ")\n\n";
 }
 
 // ---- all ----
