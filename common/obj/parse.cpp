@@ -70,7 +70,8 @@ struct LibraryLines : tinyobj::MaterialReader {
     explicit LibraryLines(ParsedChunk& chunk_) : chunk(chunk_) {}
     bool operator()(const std::string& name, std::vector<tinyobj::material_t>*, std::map<std::string, int>*,
                     std::string*, std::string*) override {
-        chunk.material_lines.push_back({chunk.face_sizes.size(), true, name});
+        // Of a name that it has met before, tinyobjloader goes on to the nothing behind a blank at the line's end.
+        if (!name.empty()) chunk.material_lines.push_back({chunk.face_sizes.size(), true, name});
         return true;
     }
     ParsedChunk& chunk;
