@@ -9,10 +9,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
-#include <tuple>
 #include <vector>
 
 namespace rt {
@@ -86,39 +86,106 @@ inline Hit surface(const MeshHit& found, const Ray& ray) {
     return hit;
 }
 
+/// Numbers things 0, 1, 2 ... and finds those again that it has met: a hash table whose entries are chained.
+struct Numbering {
+    static constexpr std::uint32_t none = 0xffffffff;
+    std::vector<std::uint32_t> newest; ///< by hash: the last thing numbered that has it,
+    std::vector<std::uint32_t> older;  ///< by number: the one before it, and so on
+
+    explicit Numbering(std::size_t size) : newest(std::bit_ceil(size), none) {}
+
+    /// `same(n)` tells whether thing n is this one. Equal things must come with equal hashes.
+    template <typename Same>
+    std::uint32_t operator()(std::uint64_t hash, const Same& same) {
+        std::uint32_t& head = newest[hash & (newest.size() - 1)];
+        for (std::uint32_t n = head; n != none; n = older[n])
+            if (same(n)) return n;
+        older.push_back(head);
+        return head = std::uint32_t(older.size() - 1);
+    }
+};
+
+inline std::uint64_t hash(vec3 v) {
+    std::uint64_t h = 0;
+    for (int i = 0; i < 3; ++i) {
+        h = (h ^ std::bit_cast<std::uint32_t>(v[i] + 0.0f)) * 0x9e3779b97f4a7c15; // -0 + 0 is 0, as -0 == 0
+        h ^= h >> 32;
+    }
+    return h;
+}
+
+/// Corners of triangles (number 3 t + k for corner k of triangle t) by the point where they meet.
+struct Meetings {
+    std::vector<std::uint32_t> corner; ///< those of one point side by side, in ascending order
+    std::vector<std::uint32_t> end;    ///< one a point: where its corners end and the next one's begin
+};
+
+/// Points count as one if their coordinates are equal, since many files repeat them for every face.
+inline Meetings meetings(const ObjFile& file) {
+    Numbering numbering(file.positions.size());
+    std::vector<vec3> points;
+    std::vector<std::uint32_t> point; // one a position
+    for (const vec3 p : file.positions) {
+        point.push_back(numbering(hash(p), [&](std::uint32_t n) { return points[n] == p; }));
+        if (point.back() == points.size()) points.push_back(p);
+    }
+    const auto corners = std::uint32_t(3 * file.triangles.size());
+    const auto point_of = [&](std::uint32_t c) {
+        return point[std::size_t(file.triangles[c / 3][c % 3].position)];
+    };
+    Meetings meet{std::vector<std::uint32_t>(corners), std::vector<std::uint32_t>(points.size() + 1)};
+    for (std::uint32_t c = 0; c < corners; ++c) ++meet.end[point_of(c) + 1]; // how many,
+    std::partial_sum(meet.end.begin(), meet.end.end(), meet.end.begin());    // where they begin,
+    for (std::uint32_t c = 0; c < corners; ++c)
+        meet.corner[meet.end[point_of(c)]++] = c; // and where they end
+    meet.end.pop_back();
+    return meet;
+}
+
+/// The faces that meet in a point, as area normals: for each the sum of those, itself among them, that differ from
+/// it by no more than the angle `crease`, in radians.
+inline std::vector<vec3> smooth_sums(const std::vector<vec3>& faces, float crease) {
+    const vec3 all = std::accumulate(faces.begin(), faces.end(), vec3(0));
+    const float half = (std::cos(crease / 2) + 1e-5f) * length(all);
+    const auto near_all = [&](vec3 face) { return dot(face, all) > half * length(face); };
+    if (std::ranges::all_of(faces, near_all)) // none differs by half from their sum: no two by more than all
+        return std::vector<vec3>(faces.size(), all);
+
+    std::vector<float> lengths;
+    for (const vec3 face : faces) lengths.push_back(length(face));
+    std::vector<vec3> sums(faces.size());
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+        const float least = std::cos(crease) * lengths[i];
+        vec3 sum(0);
+        for (std::size_t j = 0; j < faces.size(); ++j)
+            if (dot(faces[i], faces[j]) >= least * lengths[j]) sum += faces[j];
+        sums[i] = sum;
+    }
+    return sums;
+}
+
 /// A normal for each corner of each triangle of a file that gives none. Faces that meet in a point are
 /// smoothed together, weighted by area, unless they differ by more than `crease` degrees: so a ball is round
-/// and a cube keeps its edges. Points count as one if their coordinates are equal, since many files repeat
-/// them for every face.
+/// and a cube keeps its edges.
 inline std::vector<std::array<vec3, 3>> smooth_normals(const ObjFile& file, float crease) {
-    const auto position = [&](std::size_t corner) {
-        return file.positions[std::size_t(file.triangles[corner / 3][corner % 3].position)];
+    const auto face = [&](std::uint32_t t) {
+        const auto& [a, b, c] = file.triangles[t];
+        return area_normal({file.positions[std::size_t(a.position)], file.positions[std::size_t(b.position)],
+                            file.positions[std::size_t(c.position)]});
     };
-    std::vector<vec3> face(file.triangles.size());
-    for (std::size_t i = 0; i < face.size(); ++i)
-        face[i] = area_normal({position(3 * i), position(3 * i + 1), position(3 * i + 2)});
-
-    std::vector<std::size_t> order(3 * face.size()); // all corners, those in the same place side by side
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    const auto key = [&](std::size_t corner) {
-        const vec3 p = position(corner);
-        return std::tuple(p.x, p.y, p.z, corner);
-    };
-    std::ranges::sort(order, {}, key);
-
-    const float limit = std::cos(glm::radians(crease));
-    std::vector<std::array<vec3, 3>> normals(face.size());
-    for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
-        while (end < order.size() && position(order[end]) == position(order[begin])) ++end;
-        for (std::size_t i = begin; i < end; ++i) {
-            const vec3 own = face[order[i] / 3];
-            vec3 sum(0);
-            for (std::size_t j = begin; j < end; ++j) {
-                const vec3 other = face[order[j] / 3];
-                if (dot(own, other) >= limit * length(own) * length(other)) sum += other;
-            }
-            normals[order[i] / 3][order[i] % 3] = normalize(length(sum) > 0 ? sum : own);
+    const Meetings meet = meetings(file);
+    std::vector<std::array<vec3, 3>> normals(file.triangles.size());
+    std::vector<vec3> faces;
+    for (std::uint32_t begin = 0; const std::uint32_t end : meet.end) {
+        faces.clear();
+        for (std::uint32_t i = begin; i < end; ++i) faces.push_back(face(meet.corner[i] / 3));
+        const std::vector<vec3> sums = smooth_sums(faces, glm::radians(crease));
+        for (std::uint32_t i = begin; i < end; ++i) {
+            const vec3 sum = sums[i - begin];
+            normals[meet.corner[i] / 3][meet.corner[i] % 3] =
+                normalize(length(sum) > 0 ? sum : faces[i - begin]);
         }
+        begin = end;
     }
     return normals;
 }
@@ -131,22 +198,23 @@ inline void append(Mesh& mesh, const ObjFile& file, const std::vector<int>& mate
     });
     const auto made = complete ? std::vector<std::array<vec3, 3>>() : smooth_normals(file, crease);
 
-    constexpr std::uint32_t none = 0xffffffff;
     const std::size_t begin = mesh.positions.size();
-    std::vector<std::uint32_t> newest(file.positions.size(), none); // the last vertex made at a position,
-    std::vector<std::uint32_t> older;                               // the one before it there, and so on,
-    std::vector<int> uv_of;                                         // and the number of its uv in the file
+    Numbering numbering(file.positions.size());
+    std::vector<ObjCorner> known; // one a vertex of this file: a corner where it stands
     const auto vertex = [&](const ObjCorner& corner, vec3 normal) {
-        std::uint32_t& head = newest[std::size_t(corner.position)];
-        for (std::uint32_t same = head; same != none; same = older[same - begin])
-            if (uv_of[same - begin] == corner.uv && mesh.normals[same] == normal) return same;
-        older.push_back(head);
-        head = std::uint32_t(mesh.positions.size());
-        uv_of.push_back(corner.uv);
-        mesh.positions.push_back(file.positions[std::size_t(corner.position)]);
-        mesh.normals.push_back(normal);
-        mesh.uvs.push_back(corner.uv >= 0 ? file.uvs[std::size_t(corner.uv)] : vec2(0));
-        return head;
+        const auto same = [&](std::uint32_t n) {
+            return known[n].position == corner.position && known[n].uv == corner.uv &&
+                   mesh.normals[begin + n] == normal;
+        };
+        // Neighbours in the file stay neighbours in the table, and in the cache; yet a tip of many normals spreads.
+        const std::uint32_t n = numbering(hash(normal) % 1024 + std::uint64_t(corner.position), same);
+        if (n == known.size()) {
+            known.push_back(corner);
+            mesh.positions.push_back(file.positions[std::size_t(corner.position)]);
+            mesh.normals.push_back(normal);
+            mesh.uvs.push_back(corner.uv >= 0 ? file.uvs[std::size_t(corner.uv)] : vec2(0));
+        }
+        return std::uint32_t(begin + n);
     };
     for (std::size_t i = 0; i < file.triangles.size(); ++i) {
         std::array<std::uint32_t, 3> triangle{};
