@@ -11,7 +11,8 @@ namespace rt {
 /// A plain file that is read from its beginning to its end.
 class InputFile {
   public:
-    /// Throws Error for a file that is missing, a folder, a device, not readable, or of more than `most_bytes`.
+    /// Throws Error for a file that is missing, a folder, a device, not readable, or of more than
+    /// `most_bytes`.
     explicit InputFile(const std::string& path_, std::uintmax_t most_bytes = std::uintmax_t(1) << 36);
 
     std::uintmax_t bytes_left() const { return left; }

@@ -1,5 +1,5 @@
-// A Wavefront OBJ file as plain arrays: read, scanned and parsed by tinyobjloader in chunks, which are put together
-// here; then cut into triangles and cleaned.
+// A Wavefront OBJ file as plain arrays: read, scanned and parsed by tinyobjloader in chunks, which are put
+// together here; then cut into triangles and cleaned.
 #include "common/obj_file.h"
 
 #include "common/error.h"

@@ -1040,8 +1040,8 @@ TEST_CASE("large faces pull a smoothed normal more than small ones") {
 TEST_CASE("a smoothed normal is what asking every face gives, to the last bit") {
     Random random(63);
     for (int round = 0; round < 300; ++round) {
-        // Points of a small grid, so that many fall together, lie in one plane or fold back on themselves; zeros of
-        // both signs, and some moved.
+        // Points of a small grid, so that many fall together, lie in one plane or fold back on themselves;
+        // zeros of both signs, and some moved.
         ObjFile file = empty_file();
         const float moved = round % 2 == 0 ? 0 : 0.3f;
         const auto point = [&] {

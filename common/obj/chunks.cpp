@@ -1,5 +1,5 @@
-// One thread reads the next chunk of the file while others scan and parse theirs: the text is never in memory as a
-// whole, and still in the cache when it is looked at again.
+// One thread reads the next chunk of the file while others scan and parse theirs: the text is never in memory
+// as a whole, and still in the cache when it is looked at again.
 #include "common/obj/chunks.h"
 
 #include "common/error.h"
@@ -15,8 +15,8 @@
 namespace rt {
 namespace {
 
-/// The last place in `text`, but not before `from`, where it can be cut in two: behind a '\n' that no '\' can join
-/// to the next line. 0 if there is none.
+/// The last place in `text`, but not before `from`, where it can be cut in two: behind a '\n' that no '\' can
+/// join to the next line. 0 if there is none.
 std::size_t last_cut(const std::string& text, std::size_t from) {
     std::size_t end = text.rfind('\n');
     while (end != std::string::npos && end >= from) {

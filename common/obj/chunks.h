@@ -1,4 +1,5 @@
-// An OBJ file read in chunks of whole lines, several threads at a time, the same result for any number of them.
+// An OBJ file read in chunks of whole lines, several threads at a time, the same result for any number of
+// them.
 #pragma once
 
 #include "common/obj/parse.h"
@@ -15,8 +16,8 @@ struct Chunk {
     ParsedChunk parsed; ///< empty if the scan found a fault
 };
 
-/// All of the file, or all up to the first chunk with a fault, in the file's order. Throws Error for a file that
-/// cannot be read or is empty.
+/// All of the file, or all up to the first chunk with a fault, in the file's order. Throws Error for a file
+/// that cannot be read or is empty.
 std::deque<Chunk> read_chunks(const std::string& path, const ObjReading& reading);
 
 } // namespace rt

@@ -1,5 +1,5 @@
-// tinyobjloader's callbacks, which answer the numbers as they stand in the text: no copy of a face is made that
-// nobody asked for, and a chunk need not know what stands before it.
+// tinyobjloader's callbacks, which answer the numbers as they stand in the text: no copy of a face is made
+// that nobody asked for, and a chunk need not know what stands before it.
 #include "common/obj/parse.h"
 
 #include "common/error.h"
@@ -70,7 +70,8 @@ struct LibraryLines : tinyobj::MaterialReader {
     explicit LibraryLines(ParsedChunk& chunk_) : chunk(chunk_) {}
     bool operator()(const std::string& name, std::vector<tinyobj::material_t>*, std::map<std::string, int>*,
                     std::string*, std::string*) override {
-        // Of a name that it has met before, tinyobjloader goes on to the nothing behind a blank at the line's end.
+        // Of a name that it has met before, tinyobjloader goes on to the nothing behind a blank at the line's
+        // end.
         if (!name.empty()) chunk.material_lines.push_back({chunk.face_sizes.size(), true, name});
         return true;
     }

@@ -17,8 +17,8 @@ struct MaterialLine {
     std::string name; ///< with `inner_space` for spaces
 };
 
-/// What stands in a chunk. An index that a negative number stands for lacks the positions, uvs and normals of the
-/// chunks before this one: `relative` names these corners, one list a kind.
+/// What stands in a chunk. An index that a negative number stands for lacks the positions, uvs and normals of
+/// the chunks before this one: `relative` names these corners, one list a kind.
 struct ParsedChunk {
     std::vector<vec3> positions, normals;
     std::vector<vec2> uvs;

@@ -147,8 +147,9 @@ void Scanner::check_line(char* begin, char* end) {
     }
 }
 
-/// Behind a number in its usual spelling, digits with perhaps a sign and a point; null for any other word. Here
-/// and below: what `end` points to is a '\n' or the text's last '\0', so that no digit need be compared with it.
+/// Behind a number in its usual spelling, digits with perhaps a sign and a point; null for any other word.
+/// Here and below: what `end` points to is a '\n' or the text's last '\0', so that no digit need be compared
+/// with it.
 char* after_plain_number(char* at, const char* end) {
     if (*at == '-') ++at;
     const char* const begin = at;

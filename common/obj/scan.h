@@ -84,9 +84,9 @@ struct ObjScan {
     Counts largest{}, largest_line{};
 };
 
-/// Checks whole lines of a text; it holds no '\r'. Rewrites `text` in place to what tinyobjloader reads rightly:
-/// vertices, normals, texture coordinates, faces, usemtl and mtllib; continued lines joined; the rest turned into
-/// comments. A name keeps its inner spaces as `inner_space`.
+/// Checks whole lines of a text; it holds no '\r'. Rewrites `text` in place to what tinyobjloader reads
+/// rightly: vertices, normals, texture coordinates, faces, usemtl and mtllib; continued lines joined; the
+/// rest turned into comments. A name keeps its inner spaces as `inner_space`.
 ChunkScan scan_chunk(std::string& text, bool begins_file);
 
 } // namespace rt

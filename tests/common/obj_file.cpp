@@ -368,7 +368,8 @@ namespace {
 
 const ObjReading readings[] = {{1, 1}, {1, 17}, {2, 40}, {5, 100}, {3, 1}, {2, 1 << 20}};
 
-/// Uses all that a chunk cannot know alone: numbers that reach back and ahead, joined lines, materials, libraries.
+/// Uses all that a chunk cannot know alone: numbers that reach back and ahead, joined lines, materials,
+/// libraries.
 std::string text_of_many_chunks() {
     std::string text = "\xef\xbb\xbfmtllib m.mtl\nf 1/1/1 2/2/1 \\\n\\\n 3/1/1\n";
     for (int i = 0; i < 50; ++i) {

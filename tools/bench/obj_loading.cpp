@@ -1,5 +1,5 @@
-// How fast read_obj is, against tinyobjloader alone: both read the same file of a million triangles, in interleaved
-// rounds, and then the files with and without normals become a mesh.
+// How fast read_obj is, against tinyobjloader alone: both read the same file of a million triangles, in
+// interleaved rounds, and then the files with and without normals become a mesh.
 #include "05_mesh_bvh/mesh.h"
 #include "common/error.h"
 #include "common/file_bytes.h"
