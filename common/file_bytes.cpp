@@ -92,7 +92,7 @@ void check_folder(const std::string& path, const fs::path& place) {
 
 } // namespace
 
-std::string read_file(const std::string& path, std::uintmax_t most_bytes) {
+InputFile::InputFile(const std::string& path_, std::uintmax_t most_bytes) : path(path_) {
     std::error_code failure;
     const fs::file_status status = fs::status(path, failure);
     if (status.type() == fs::file_type::not_found)
@@ -100,15 +100,24 @@ std::string read_file(const std::string& path, std::uintmax_t most_bytes) {
     if (fs::is_directory(status)) throw Error(path + ": is a folder, not a file");
     if (failure) throw Error(path + ": cannot be read (" + failure.message() + ")");
     if (!fs::is_regular_file(status)) throw Error(path + ": is a device or a pipe, not a plain file");
-    const std::uintmax_t size = fs::file_size(path, failure);
+    left = fs::file_size(path, failure);
     if (failure) throw Error(path + ": cannot be read (" + failure.message() + ")");
-    if (size > most_bytes)
-        throw Error(path + ": is too large (" + megabytes(size) + ", at most " + megabytes(most_bytes) + ")");
-    std::ifstream stream(fs::path(path), std::ios::binary);
+    if (left > most_bytes)
+        throw Error(path + ": is too large (" + megabytes(left) + ", at most " + megabytes(most_bytes) + ")");
+    stream.open(fs::path(path), std::ios::binary);
     if (!stream) throw Error(path + ": cannot be opened; is reading it allowed?");
-    std::string bytes(std::size_t(size), '\0');
-    stream.read(bytes.data(), std::streamsize(size));
-    if (std::uintmax_t(stream.gcount()) != size) throw Error(path + ": cannot be read to its end");
+}
+
+void InputFile::read(char* bytes, std::size_t count) {
+    stream.read(bytes, std::streamsize(count));
+    if (std::size_t(stream.gcount()) != count) throw Error(path + ": cannot be read to its end");
+    left -= count;
+}
+
+std::string read_file(const std::string& path, std::uintmax_t most_bytes) {
+    InputFile file(path, most_bytes);
+    std::string bytes(std::size_t(file.bytes_left()), '\0');
+    file.read(bytes.data(), bytes.size());
     return bytes;
 }
 

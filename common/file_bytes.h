@@ -2,10 +2,28 @@
 #pragma once
 
 #include <cstdint>
+#include <fstream>
 #include <string>
 #include <string_view>
 
 namespace rt {
+
+/// A plain file that is read from its beginning to its end.
+class InputFile {
+  public:
+    /// Throws Error for a file that is missing, a folder, a device, not readable, or of more than
+    /// `most_bytes`.
+    explicit InputFile(const std::string& path_, std::uintmax_t most_bytes = std::uintmax_t(1) << 36);
+
+    std::uintmax_t bytes_left() const { return left; }
+    /// The next `count` bytes, no more than are left. Throws Error if they cannot be read.
+    void read(char* bytes, std::size_t count);
+
+  private:
+    std::string path;
+    std::uintmax_t left = 0;
+    std::ifstream stream;
+};
 
 /// The bytes of a plain file. Throws Error for one that is missing, a folder, a device, not readable, or of
 /// more than `most_bytes`.

@@ -1,58 +1,20 @@
-// A Wavefront OBJ file as plain arrays: read, scanned, parsed by tinyobjloader, cut into triangles, cleaned.
+// A Wavefront OBJ file as plain arrays: read, scanned and parsed by tinyobjloader in chunks, which are put
+// together here; then cut into triangles and cleaned.
 #include "common/obj_file.h"
 
 #include "common/error.h"
-#include "common/file_bytes.h"
+#include "common/obj/chunks.h"
 #include "common/obj/material.h"
 #include "common/obj/polygon.h"
-#include "common/obj/scan.h"
 
 #include <algorithm>
 #include <cmath>
-#include <istream>
-#include <streambuf>
+#include <map>
+#include <set>
+#include <span>
 
 namespace rt {
 namespace {
-
-/// Lets a stream read a string without a copy of it.
-struct TextBuffer : std::streambuf {
-    explicit TextBuffer(std::string& text) { setg(text.data(), text.data(), text.data() + text.size()); }
-};
-
-/// What tinyobjloader answers: one shape, because the scan hides groups and objects from it.
-struct Parsed {
-    tinyobj::attrib_t attributes;
-    tinyobj::mesh_t mesh;
-    std::vector<tinyobj::material_t> materials;
-};
-
-Parsed parse(const std::string& path, std::string& text, MaterialLibraries& libraries) {
-    Parsed parsed;
-    std::vector<tinyobj::shape_t> shapes;
-    std::string warnings, errors;
-    TextBuffer buffer(text);
-    std::istream stream(&buffer);
-    const bool triangulate = false, colours_too = false;
-    if (!tinyobj::LoadObj(&parsed.attributes, &shapes, &parsed.materials, &warnings, &errors, &stream,
-                          &libraries, triangulate, colours_too) ||
-        shapes.size() != 1)
-        throw Error(path + ": cannot be read as an OBJ file (" + errors.substr(0, errors.find('\n')) + ")");
-    parsed.mesh = std::move(shapes[0].mesh);
-    return parsed;
-}
-
-/// Numbers in a row as vectors; the row's memory is given back.
-template <typename Vector>
-std::vector<Vector> vectors(std::vector<float>& numbers) {
-    std::vector<Vector> out(numbers.size() / std::size_t(Vector::length()));
-    const float* number = numbers.data();
-    for (Vector& vector : out) {
-        for (int i = 0; i < Vector::length(); ++i) vector[i] = *number++;
-    }
-    std::vector<float>().swap(numbers);
-    return out;
-}
 
 /// A direction that can be scaled to unit length in floats.
 bool is_direction(vec3 v) {
@@ -80,7 +42,7 @@ struct Triangles {
         file.triangles.push_back(triangle);
         file.materials.push_back(material);
     }
-    void add_polygon(const std::vector<ObjCorner>& corners, int material) {
+    void add_polygon(std::span<const ObjCorner> corners, int material) {
         std::vector<vec3> places;
         for (const ObjCorner& corner : corners)
             places.push_back(file.positions[std::size_t(corner.position)]);
@@ -89,34 +51,80 @@ struct Triangles {
     }
 };
 
-ObjCorner corner_of(const tinyobj::index_t& index) {
-    return {index.vertex_index, index.texcoord_index, index.normal_index};
+/// Puts `rows` behind `all` and gives their memory back.
+template <typename Row>
+void move_to_end(std::vector<Row>& all, std::vector<Row>& rows) {
+    all.insert(all.end(), rows.begin(), rows.end());
+    std::vector<Row>().swap(rows);
 }
 
-/// Faces into triangles. `file.materials` holds tinyobjloader's numbers then.
-void cut_faces(const std::string& path, const Parsed& parsed, const ObjScan& scan, ObjFile& file) {
-    Triangles triangles{file};
-    file.triangles.reserve(scan.face_sizes.size());
-    file.materials.reserve(scan.face_sizes.size());
-    const tinyobj::index_t* index = parsed.mesh.indices.data();
-    for (std::size_t face = 0; face < scan.face_sizes.size(); ++face) {
-        const int size = scan.face_sizes[face], material = parsed.mesh.material_ids[face];
-        if (size == 3) {
-            triangles.add({corner_of(index[0]), corner_of(index[1]), corner_of(index[2])}, material);
-        } else {
-            std::vector<ObjCorner> corners(std::size_t(size), ObjCorner{});
-            std::transform(index, index + size, corners.begin(), corner_of);
-            triangles.add_polygon(corners, material);
-        }
-        index += size;
+/// Puts the vertices of all chunks together, so that no corner is relative to a chunk any more.
+void join_vertices(const ObjScan& scan, std::deque<Chunk>& chunks, ObjFile& file) {
+    file.positions.reserve(std::size_t(scan.counts[Numbered::position]));
+    file.uvs.reserve(std::size_t(scan.counts[Numbered::uv]));
+    file.normals.reserve(std::size_t(scan.counts[Numbered::normal]));
+    for (Chunk& chunk : chunks) {
+        ParsedChunk& parsed = chunk.parsed;
+        for (const std::size_t i : parsed.relative[Numbered::position])
+            parsed.corners[i].position += int(file.positions.size());
+        for (const std::size_t i : parsed.relative[Numbered::uv])
+            parsed.corners[i].uv += int(file.uvs.size());
+        for (const std::size_t i : parsed.relative[Numbered::normal])
+            parsed.corners[i].normal += int(file.normals.size());
+        move_to_end(file.positions, parsed.positions);
+        move_to_end(file.uvs, parsed.uvs);
+        move_to_end(file.normals, parsed.normals);
     }
-    if (file.triangles.empty()) throw Error(path + ": none of its faces has an area");
-    if (triangles.dropped > 0)
-        warn(path + ": " + std::to_string(triangles.dropped) + " triangles without area are left out");
+}
+
+/// The materials of the file and its libraries, while its lines are read in order.
+class Materials {
+  public:
+    explicit Materials(const std::string& path) : libraries(path) {}
+
+    void read(const MaterialLine& line) {
+        if (!line.is_library) {
+            const auto place = numbers.find(line.name);
+            current = place == numbers.end() ? -1 : place->second;
+        } else if (names.insert(line.name).second) {
+            std::string warnings, errors;
+            libraries(line.name, &list, &numbers, &warnings, &errors);
+        }
+    }
+
+    int current = -1; ///< -1 is the default
+    MaterialLibraries libraries;
+    std::vector<tinyobj::material_t> list;
+
+  private:
+    std::map<std::string, int> numbers;
+    std::set<std::string> names; ///< of the libraries so far
+};
+
+/// Each chunk's faces into triangles. `file.materials` holds numbers in `materials.list` then.
+void cut_faces(const ObjScan& scan, std::deque<Chunk>& chunks, Materials& materials, Triangles& triangles) {
+    triangles.file.triangles.reserve(std::size_t(scan.corners - 2 * scan.faces));
+    triangles.file.materials.reserve(std::size_t(scan.corners - 2 * scan.faces));
+    for (Chunk& chunk : chunks) {
+        const ParsedChunk parsed = std::move(chunk.parsed); // and its memory is given back
+        auto line = parsed.material_lines.begin();
+        const ObjCorner* corner = parsed.corners.data();
+        for (std::size_t face = 0; face < parsed.face_sizes.size(); ++face) {
+            while (line != parsed.material_lines.end() && line->face == face) materials.read(*line++);
+            const std::size_t size = parsed.face_sizes[face];
+            if (size == 3)
+                triangles.add({corner[0], corner[1], corner[2]}, materials.current);
+            else
+                triangles.add_polygon({corner, size}, materials.current);
+            corner += size;
+        }
+        while (line != parsed.material_lines.end()) materials.read(*line++);
+    }
 }
 
 /// A normal that has no direction is as good as none.
 void drop_wrong_normals(ObjFile& file) {
+    if (std::all_of(file.normals.begin(), file.normals.end(), is_direction)) return;
     for (std::array<ObjCorner, 3>& triangle : file.triangles) {
         for (ObjCorner& corner : triangle) {
             if (corner.normal >= 0 && !is_direction(file.normals[std::size_t(corner.normal)]))
@@ -129,10 +137,8 @@ void drop_wrong_normals(ObjFile& file) {
 }
 
 /// Converts the materials that are used, in the order of their files; the default, if it is used, comes last.
-void keep_used_materials(const std::string& path, const Parsed& parsed, const MaterialLibraries& libraries,
-                         ObjFile& file) {
-    const std::size_t count =
-        parsed.materials.size(); // number `count` is the default, which tinyobjloader calls -1
+void keep_used_materials(const std::string& path, const Materials& materials, ObjFile& file) {
+    const std::size_t count = materials.list.size(); // stands for the default, which is called -1 so far
     std::vector<int> number(count + 1, -1);
     for (int& material : file.materials) {
         if (material < 0) material = int(count);
@@ -143,20 +149,20 @@ void keep_used_materials(const std::string& path, const Parsed& parsed, const Ma
         if (number[i] < 0) continue;
         number[i] = int(file.material_list.size());
         file.material_list.push_back(
-            i < count ? converted(parsed.materials[i], libraries.file_of(i), textures) : ObjMaterial{});
+            i < count ? converted(materials.list[i], materials.libraries.file_of(i), textures)
+                      : ObjMaterial{});
     }
     for (int& material : file.materials) material = number[std::size_t(material)];
     file.textures = std::move(textures.bitmaps);
 }
 
-void warn_of_unknown_materials(const std::string& path, const ObjScan& scan, const Parsed& parsed,
-                               const MaterialLibraries& libraries) {
+void warn_of_unknown_materials(const std::string& path, const ObjScan& scan, const Materials& materials) {
     if (!scan.names_library && !scan.materials.empty())
         warn(path + ": names materials (usemtl) but no material file (mtllib); they are grey");
-    if (!libraries.found_any()) return;
+    if (!materials.libraries.found_any()) return;
     for (const auto& [name, line] : scan.materials) {
         const auto has_name = [&name = name](const tinyobj::material_t& m) { return m.name == name; };
-        if (std::none_of(parsed.materials.begin(), parsed.materials.end(), has_name))
+        if (std::none_of(materials.list.begin(), materials.list.end(), has_name))
             warn(at_line(path, line,
                          "material " + in_quotes(name) + " is in none of the material files; it is grey"));
     }
@@ -164,22 +170,23 @@ void warn_of_unknown_materials(const std::string& path, const ObjScan& scan, con
 
 } // namespace
 
-ObjFile read_obj(const std::string& path) {
-    std::string text = read_file(path);
-    if (text.empty()) throw Error(path + ": is empty");
-    const ObjScan scan = scan_obj(path, text);
-    MaterialLibraries libraries(path);
-    Parsed parsed = parse(path, text, libraries);
-    std::string().swap(text);
-    warn_of_unknown_materials(path, scan, parsed, libraries);
+ObjFile read_obj(const std::string& path, const ObjReading& reading) {
+    std::deque<Chunk> chunks = read_chunks(path, reading);
+    ObjScan scan;
+    for (const Chunk& chunk : chunks) scan.add(path, chunk.scan);
+    scan.finish(path);
 
     ObjFile file;
-    file.positions = vectors<vec3>(parsed.attributes.vertices);
-    file.normals = vectors<vec3>(parsed.attributes.normals);
-    file.uvs = vectors<vec2>(parsed.attributes.texcoords);
-    cut_faces(path, parsed, scan, file);
+    Materials materials(path);
+    Triangles triangles{file};
+    join_vertices(scan, chunks, file);
+    cut_faces(scan, chunks, materials, triangles);
+    warn_of_unknown_materials(path, scan, materials);
+    if (file.triangles.empty()) throw Error(path + ": none of its faces has an area");
+    if (triangles.dropped > 0)
+        warn(path + ": " + std::to_string(triangles.dropped) + " triangles without area are left out");
     drop_wrong_normals(file);
-    keep_used_materials(path, parsed, libraries, file);
+    keep_used_materials(path, materials, file);
     return file;
 }
 

@@ -39,10 +39,16 @@ struct ObjFile {
     std::vector<Bitmap> textures;                    ///< a missing one is a magenta checker
 };
 
+/// How the work of reading is divided; the result does not depend on it.
+struct ObjReading {
+    int threads = 0;                                ///< 0: one for each core
+    std::size_t chunk_bytes = std::size_t(1) << 20; ///< of text that a thread takes at a time, at least 1
+};
+
 /// Reads an OBJ file, its .mtl and its textures. Warnings (missing .mtl or texture, with the paths tried) go
 /// to stderr, one line each. Throws Error, with file and line where it can be known, for a file that is
 /// missing, a folder, empty of faces or not OBJ at all, an index out of range, a number that is not finite, a
 /// face of fewer than three corners.
-ObjFile read_obj(const std::string& path);
+ObjFile read_obj(const std::string& path, const ObjReading& reading = {});
 
 } // namespace rt

@@ -144,7 +144,8 @@ std::string MtlScanner::texture(const Words& words) const {
 } // namespace
 
 std::string scan_mtl(const std::string& path, std::string text) {
-    unify_text(text);
+    blank_byte_order_mark(text);
+    unify_line_ends(text);
     return MtlScanner(path, std::move(text)).run();
 }
 

@@ -5,9 +5,9 @@
 #include "common/error.h"
 
 #include <algorithm>
-#include <array>
 #include <climits>
 #include <cstring>
+#include <utility>
 
 namespace rt {
 namespace {
@@ -39,38 +39,34 @@ bool read_exponent(const char*& at, const char* end, int& exponent) {
     return at > begin;
 }
 
-/// A kind of thing that faces name by number.
-struct Numbered {
-    const char* what = "";
-    const char* keyword = "";
-    int count = 0;   ///< so far
-    int largest = 0; ///< the largest number that a face names
-    int largest_line = 0;
-};
+constexpr std::array<const char*, 3> names{"position", "texture coordinate", "normal"}; // one a kind
+constexpr std::array<const char*, 3> keywords{"v", "vt", "vn"};
 
 class Scanner {
   public:
-    Scanner(const std::string& path_, std::string& text_) : path(path_), text(text_) {}
-    ObjScan run();
+    Scanner(std::string& text_, bool begins_file_) : text(text_), begins_file(begins_file_) {}
+    ChunkScan run();
 
   private:
-    [[noreturn]] void fail(const std::string& message) const { throw Error(at_line(path, line, message)); }
+    [[noreturn]] void fail(const std::string& message) const { throw Fault{line, message}; }
+    void check_lines();
     char* join_continued(char* begin, char* end);
     void check_line(char* begin, char* end);
     void check_numbers(char* at, char* end, int least, int most);
     void check_face(char* at, char* end);
+    char* check_plain_corner(char* at, const char* end);
     char* check_corner(char* at, char* end);
-    char* check_index(Numbered& numbered, char* at, char* end);
+    char* check_index(Numbered::Kind kind, char* at, char* end);
+    void note_index(Numbered::Kind kind, int number);
+    void note_backward(Numbered::Kind kind, int number, std::string_view word);
     void check_name(char* at, char* end, bool library);
-    void check_ignored(char* begin, const char* keyword_end);
-    void check_forward_references();
+    void check_ignored(char* begin, const char* keyword_end) const;
 
-    const std::string& path;
     std::string& text;
+    const bool begins_file;
     int line = 1;          ///< where the line that is being checked begins
     int further_lines = 0; ///< that a '\' at its end joined to it
-    Numbered positions{"position", "v"}, uvs{"texture coordinate", "vt"}, normals{"normal", "vn"};
-    ObjScan scan;
+    ChunkScan scan;
 };
 
 char* skip_blanks(char* at, const char* end) {
@@ -87,20 +83,30 @@ std::string_view view(const char* begin, const char* end) {
     return {begin, std::size_t(end - begin)};
 }
 
-ObjScan Scanner::run() {
+char* line_end(char* begin, char* text_end) {
+    void* const found = std::memchr(begin, '\n', std::size_t(text_end - begin));
+    return found ? static_cast<char*>(found) : text_end;
+}
+
+ChunkScan Scanner::run() {
+    try {
+        check_lines();
+    } catch (Fault& fault) {
+        scan.fault = std::move(fault);
+    }
+    scan.lines = line - 1;
+    return std::move(scan);
+}
+
+void Scanner::check_lines() {
     char* const text_end = text.data() + text.size();
     for (char* begin = text.data(); begin < text_end;) {
-        char* end = std::find(begin, text_end, '\n');
-        end = join_continued(begin, end);
+        char* const end = join_continued(begin, line_end(begin, text_end));
         check_line(begin, end);
         line += 1 + further_lines;
         further_lines = 0;
         begin = end + 1;
     }
-    check_forward_references();
-    if (scan.face_sizes.empty())
-        throw Error(path + ": has no faces (lines such as \"f 1 2 3\"); is it an OBJ file?");
-    return std::move(scan);
 }
 
 /// A '\' at the end of a line that is no comment joins the next one to it. Answers the new end.
@@ -113,7 +119,7 @@ char* Scanner::join_continued(char* begin, char* end) {
         if (last == begin || last[-1] != '\\') break;
         std::fill(last - 1, end + 1, ' ');
         ++further_lines;
-        end = std::find(end + 1, text_end, '\n');
+        end = line_end(end + 1, text_end);
     }
     return end;
 }
@@ -125,13 +131,13 @@ void Scanner::check_line(char* begin, char* end) {
     const std::string_view keyword = view(word, rest);
     if (keyword == "v") {
         check_numbers(rest, end, 3, 3);
-        ++positions.count;
+        ++scan.counts[Numbered::position];
     } else if (keyword == "vt") {
         check_numbers(rest, end, 1, 2);
-        ++uvs.count;
+        ++scan.counts[Numbered::uv];
     } else if (keyword == "vn") {
         check_numbers(rest, end, 3, 3);
-        ++normals.count;
+        ++scan.counts[Numbered::normal];
     } else if (keyword == "f") {
         check_face(rest, end);
     } else if (keyword == "usemtl" || keyword == "mtllib") {
@@ -141,15 +147,36 @@ void Scanner::check_line(char* begin, char* end) {
     }
 }
 
+/// Behind a number in its usual spelling, digits with perhaps a sign and a point; null for any other word.
+/// Here and below: what `end` points to is a '\n' or the text's last '\0', so that no digit need be compared
+/// with it.
+char* after_plain_number(char* at, const char* end) {
+    if (*at == '-') ++at;
+    const char* const begin = at;
+    while (is_digit(*at)) ++at;
+    const auto whole_digits = at - begin;
+    auto digits = whole_digits;
+    if (*at == '.') {
+        const char* const fraction = ++at;
+        while (is_digit(*at)) ++at;
+        digits += at - fraction;
+    }
+    const bool fits = digits > 0 && whole_digits <= largest_decimal_exponent;
+    return fits && (at == end || is_blank(*at)) ? at : nullptr;
+}
+
 /// What follows the numbers that are used (a weight, a colour, a comment) is blanked out.
 void Scanner::check_numbers(char* at, char* end, int least, int most) {
     int count = 0;
     for (; count < most; ++count) {
         at = skip_blanks(at, end);
         if (at == end || *at == '#') break;
-        char* const stop = word_end(at, end);
-        if (const std::string_view fault = number_fault(view(at, stop)); !fault.empty())
-            fail(in_quotes(view(at, stop)) + " " + std::string(fault));
+        char* stop = after_plain_number(at, end);
+        if (!stop) {
+            stop = word_end(at, end);
+            if (const std::string_view fault = number_fault(view(at, stop)); !fault.empty())
+                fail(in_quotes(view(at, stop)) + " " + std::string(fault));
+        }
         at = stop;
     }
     if (count < least)
@@ -161,14 +188,39 @@ void Scanner::check_numbers(char* at, char* end, int least, int most) {
 void Scanner::check_face(char* at, char* end) {
     int corners = 0;
     for (at = skip_blanks(at, end); at < end && *at != '#'; at = skip_blanks(at, end)) {
-        at = check_corner(at, end);
+        char* const stop = check_plain_corner(at, end);
+        at = stop ? stop : check_corner(at, end);
         if (++corners > most_corners)
             fail("a face of more than " + std::to_string(most_corners) +
                  " corners; cut it into smaller ones");
     }
     if (corners < 3) fail("a face needs three corners or more and has " + std::to_string(corners));
     std::fill(at, end, ' ');
-    scan.face_sizes.push_back(std::uint16_t(corners));
+    scan.corners += corners;
+    ++scan.faces;
+}
+
+/// One to nine digits; 0 for anything else.
+int plain_index(char*& at) {
+    const char* const begin = at;
+    unsigned value = 0; // may wrap round, and counts for nothing then
+    for (; is_digit(*at); ++at) value = value * 10 + unsigned(*at - '0');
+    return at - begin <= 9 ? int(value) : 0;
+}
+
+/// Behind a corner in its usual spelling; null, and nothing noted, for any other word.
+char* Scanner::check_plain_corner(char* at, const char* end) {
+    std::array<int, 3> number{plain_index(at), 0, 0};
+    if (number[Numbered::position] == 0) return nullptr;
+    if (*at == '/' && at[1] != '/' && (number[Numbered::uv] = plain_index(++at)) == 0) return nullptr;
+    if (*at == '/') {
+        at += at[1] == '/' && number[Numbered::uv] == 0 ? 2 : 1;
+        if ((number[Numbered::normal] = plain_index(at)) == 0) return nullptr;
+    }
+    if (at != end && !is_blank(*at)) return nullptr;
+    for (const auto kind : {Numbered::position, Numbered::uv, Numbered::normal})
+        note_index(kind, number[kind]);
+    return at;
 }
 
 /// v, v/vt, v//vn or v/vt/vn. A '/' with nothing behind it, as some programs write it, is blanked out.
@@ -177,18 +229,18 @@ char* Scanner::check_corner(char* at, char* end) {
     char* last = stop;
     while (last > at && last[-1] == '/') *--last = ' ';
     char* const begin = at;
-    at = check_index(positions, at, last);
+    at = check_index(Numbered::position, at, last);
     if (at < last && *at == '/' && at[1] != '/')
-        at = check_index(uvs, at + 1, last);
+        at = check_index(Numbered::uv, at + 1, last);
     else if (at < last && *at == '/')
         ++at;
-    if (at < last && *at == '/') at = check_index(normals, at + 1, last);
+    if (at < last && *at == '/') at = check_index(Numbered::normal, at + 1, last);
     if (at != last)
         fail(in_quotes(view(begin, last)) + " is not a corner of the form v, v/vt, v//vn or v/vt/vn");
     return stop;
 }
 
-char* Scanner::check_index(Numbered& numbered, char* at, char* end) {
+char* Scanner::check_index(Numbered::Kind kind, char* at, char* end) {
     char* const begin = at;
     const bool negative = at < end && *at == '-';
     if (negative || (at < end && *at == '+')) ++at;
@@ -196,16 +248,26 @@ char* Scanner::check_index(Numbered& numbered, char* at, char* end) {
     char* const digits = at;
     for (; at < end && is_digit(*at); ++at) value = std::min<long long>(value * 10 + (*at - '0'), INT_MAX);
     if (at == digits)
-        fail(in_quotes(view(begin, end)) + " is not a whole number where a face names a " + numbered.what);
-    if (value == 0) fail("a face names " + std::string(numbered.what) + " 0, but counting starts at 1");
-    if (negative && value > numbered.count)
-        fail("a face names " + std::string(numbered.what) + " " + std::string(view(begin, at)) +
-             ", but only " + std::to_string(numbered.count) + " stand before it");
-    if (!negative && value > numbered.largest) {
-        numbered.largest = int(value);
-        numbered.largest_line = line;
-    }
+        fail(in_quotes(view(begin, end)) + " is not a whole number where a face names a " + names[kind]);
+    if (value == 0) fail("a face names " + std::string(names[kind]) + " 0, but counting starts at 1");
+    if (negative)
+        note_backward(kind, int(value), view(begin, at));
+    else
+        note_index(kind, int(value));
     return at;
+}
+
+void Scanner::note_index(Numbered::Kind kind, int number) {
+    if (number <= scan.largest[kind]) return;
+    scan.largest[kind] = number;
+    scan.largest_line[kind] = line;
+}
+
+void Scanner::note_backward(Numbered::Kind kind, int number, std::string_view word) {
+    const int missing = number - scan.counts[kind];
+    if (missing <= scan.missing[kind]) return;
+    scan.missing[kind] = missing;
+    scan.backward.push_back({kind, missing, scan.counts[kind], line, std::string(word)});
 }
 
 /// Names may hold spaces; tinyobjloader takes '\' in a library's name for an escape.
@@ -223,23 +285,12 @@ void Scanner::check_name(char* at, char* end, bool library) {
 
 /// Groups, objects, smoothing, lines, points, curves and what other programs add. A word of control
 /// characters is none of these.
-void Scanner::check_ignored(char* begin, const char* keyword_end) {
+void Scanner::check_ignored(char* begin, const char* keyword_end) const {
     const auto is_control = [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; };
-    const bool end_of_dos_file = *begin == '\x1a' && line > 1;
+    const bool end_of_dos_file = *begin == '\x1a' && (line > 1 || !begins_file);
     if (!end_of_dos_file && std::any_of(static_cast<const char*>(begin), keyword_end, is_control))
         fail("not text; is this an OBJ file?");
     *begin = '#';
-}
-
-/// A face may come before its vertices, so the largest number of each kind is looked at last.
-void Scanner::check_forward_references() {
-    for (const Numbered& numbered : {positions, uvs, normals}) {
-        if (numbered.largest <= numbered.count) continue;
-        line = numbered.largest_line;
-        fail("a face names " + std::string(numbered.what) + " " + std::to_string(numbered.largest) +
-             ", but the file has " + std::to_string(numbered.count) + " (lines that begin with " +
-             numbered.keyword + ")");
-    }
 }
 
 } // namespace
@@ -248,8 +299,11 @@ std::string at_line(const std::string& path, int line, const std::string& messag
     return path + ":" + std::to_string(line) + ": " + message;
 }
 
-void unify_text(std::string& text) {
+void blank_byte_order_mark(std::string& text) {
     if (text.compare(0, 3, "\xef\xbb\xbf") == 0) text.replace(0, 3, "   ");
+}
+
+void unify_line_ends(std::string& text) {
     for (std::size_t i = text.find('\r'); i != std::string::npos; i = text.find('\r', i + 1))
         text[i] = i + 1 < text.size() && text[i + 1] == '\n' ? ' ' : '\n';
 }
@@ -278,9 +332,42 @@ std::string in_quotes(std::string_view word) {
     return text;
 }
 
-ObjScan scan_obj(const std::string& path, std::string& text) {
-    unify_text(text);
-    return Scanner(path, text).run();
+ChunkScan scan_chunk(std::string& text, bool begins_file) {
+    return Scanner(text, begins_file).run();
+}
+
+void ObjScan::add(const std::string& path, const ChunkScan& chunk) {
+    for (const Backward& b : chunk.backward) {
+        if (b.missing > counts[b.kind])
+            throw Error(at_line(path, lines + b.line,
+                                "a face names " + std::string(names[b.kind]) + " " + b.number +
+                                    ", but only " + std::to_string(counts[b.kind] + b.count) +
+                                    " stand before it"));
+    }
+    if (chunk.fault) throw Error(at_line(path, lines + chunk.fault->line, chunk.fault->message));
+    for (const auto kind : {Numbered::position, Numbered::uv, Numbered::normal}) {
+        counts[kind] += chunk.counts[kind];
+        if (chunk.largest[kind] <= largest[kind]) continue;
+        largest[kind] = chunk.largest[kind];
+        largest_line[kind] = lines + chunk.largest_line[kind];
+    }
+    for (const auto& [name, line] : chunk.materials) materials.emplace(name, lines + line);
+    names_library = names_library || chunk.names_library;
+    lines += chunk.lines;
+    faces += chunk.faces;
+    corners += chunk.corners;
+}
+
+/// A face may come before its vertices, so the largest number of each kind is looked at last.
+void ObjScan::finish(const std::string& path) const {
+    for (const auto kind : {Numbered::position, Numbered::uv, Numbered::normal}) {
+        if (largest[kind] <= counts[kind]) continue;
+        throw Error(at_line(path, largest_line[kind],
+                            "a face names " + std::string(names[kind]) + " " + std::to_string(largest[kind]) +
+                                ", but the file has " + std::to_string(counts[kind]) +
+                                " (lines that begin with " + keywords[kind] + ")"));
+    }
+    if (faces == 0) throw Error(path + ": has no faces (lines such as \"f 1 2 3\"); is it an OBJ file?");
 }
 
 } // namespace rt

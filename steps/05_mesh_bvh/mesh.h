@@ -4,6 +4,7 @@
 #include "01_spheres/hit.h"
 #include "03_mirror/mirror.h"
 #include "05_mesh_bvh/box.h"
+#include "05_mesh_bvh/smooth.h"
 #include "05_mesh_bvh/triangle.h"
 #include "common/obj_file.h"
 
@@ -11,8 +12,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
-#include <tuple>
 #include <vector>
 
 namespace rt {
@@ -54,11 +53,6 @@ inline Box bounds(const Mesh& mesh) {
     return box;
 }
 
-/// Twice the area, along the outward normal.
-inline vec3 area_normal(const std::array<vec3, 3>& corner) {
-    return cross(corner[1] - corner[0], corner[2] - corner[0]);
-}
-
 /// A value given at the corners, at the point with these barycentric weights.
 template <typename Value>
 Value interpolate(const std::vector<Value>& values, const std::array<std::uint32_t, 3>& corner, float u,
@@ -90,43 +84,6 @@ inline Hit surface(const MeshHit& found, const Ray& ray) {
     return hit;
 }
 
-/// A normal for each corner of each triangle of a file that gives none. Faces that meet in a point are
-/// smoothed together, weighted by area, unless they differ by more than `crease` degrees: so a ball is round
-/// and a cube keeps its edges. Points count as one if their coordinates are equal, since many files repeat
-/// them for every face.
-inline std::vector<std::array<vec3, 3>> smooth_normals(const ObjFile& file, float crease) {
-    const auto position = [&](std::size_t corner) {
-        return file.positions[std::size_t(file.triangles[corner / 3][corner % 3].position)];
-    };
-    std::vector<vec3> face(file.triangles.size());
-    for (std::size_t i = 0; i < face.size(); ++i)
-        face[i] = area_normal({position(3 * i), position(3 * i + 1), position(3 * i + 2)});
-
-    std::vector<std::size_t> order(3 * face.size()); // all corners, those in the same place side by side
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    const auto key = [&](std::size_t corner) {
-        const vec3 p = position(corner);
-        return std::tuple(p.x, p.y, p.z, corner);
-    };
-    std::ranges::sort(order, {}, key);
-
-    const float limit = std::cos(glm::radians(crease));
-    std::vector<std::array<vec3, 3>> normals(face.size());
-    for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
-        while (end < order.size() && position(order[end]) == position(order[begin])) ++end;
-        for (std::size_t i = begin; i < end; ++i) {
-            const vec3 own = face[order[i] / 3];
-            vec3 sum(0);
-            for (std::size_t j = begin; j < end; ++j) {
-                const vec3 other = face[order[j] / 3];
-                if (dot(own, other) >= limit * length(own) * length(other)) sum += other;
-            }
-            normals[order[i] / 3][order[i] % 3] = normalize(length(sum) > 0 ? sum : own);
-        }
-    }
-    return normals;
-}
-
 /// Appends what the file holds to `mesh`; its material m becomes number material_numbers[m]. Normals that it
 /// does not give are made by smooth_normals(); uvs that it does not give are (0, 0).
 inline void append(Mesh& mesh, const ObjFile& file, const std::vector<int>& material_numbers, float crease) {
@@ -135,22 +92,24 @@ inline void append(Mesh& mesh, const ObjFile& file, const std::vector<int>& mate
     });
     const auto made = complete ? std::vector<std::array<vec3, 3>>() : smooth_normals(file, crease);
 
-    constexpr std::uint32_t none = 0xffffffff;
     const std::size_t begin = mesh.positions.size();
-    std::vector<std::uint32_t> newest(file.positions.size(), none); // the last vertex made at a position,
-    std::vector<std::uint32_t> older;                               // the one before it there, and so on,
-    std::vector<int> uv_of;                                         // and the number of its uv in the file
+    Numbering numbering(file.positions.size());
+    std::vector<ObjCorner> known; // one a vertex of this file: a corner where it stands
     const auto vertex = [&](const ObjCorner& corner, vec3 normal) {
-        std::uint32_t& head = newest[std::size_t(corner.position)];
-        for (std::uint32_t same = head; same != none; same = older[same - begin])
-            if (uv_of[same - begin] == corner.uv && mesh.normals[same] == normal) return same;
-        older.push_back(head);
-        head = std::uint32_t(mesh.positions.size());
-        uv_of.push_back(corner.uv);
-        mesh.positions.push_back(file.positions[std::size_t(corner.position)]);
-        mesh.normals.push_back(normal);
-        mesh.uvs.push_back(corner.uv >= 0 ? file.uvs[std::size_t(corner.uv)] : vec2(0));
-        return head;
+        const auto same = [&](std::uint32_t n) {
+            return known[n].position == corner.position && known[n].uv == corner.uv &&
+                   mesh.normals[begin + n] == normal;
+        };
+        // Neighbours in the file stay neighbours in the table, and in the cache; yet a tip of many normals
+        // spreads.
+        const std::uint32_t n = numbering(hash(normal) % 1024 + std::uint64_t(corner.position), same);
+        if (n == known.size()) {
+            known.push_back(corner);
+            mesh.positions.push_back(file.positions[std::size_t(corner.position)]);
+            mesh.normals.push_back(normal);
+            mesh.uvs.push_back(corner.uv >= 0 ? file.uvs[std::size_t(corner.uv)] : vec2(0));
+        }
+        return std::uint32_t(begin + n);
     };
     for (std::size_t i = 0; i < file.triangles.size(); ++i) {
         std::array<std::uint32_t, 3> triangle{};

@@ -10,6 +10,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <random>
@@ -359,6 +360,105 @@ TEST_CASE("100 MB of noise are refused at once, in one short line") {
     CHECK_ERROR(message, "noise.obj:1:", "not text");
     CHECK(message.size() < path.size() + 100);
     CHECK(seconds < 5); // tenths of a second on an idle machine
+}
+
+// ---- chunks and threads
+
+namespace {
+
+const ObjReading readings[] = {{1, 1}, {1, 17}, {2, 40}, {5, 100}, {3, 1}, {2, 1 << 20}};
+
+/// Uses all that a chunk cannot know alone: numbers that reach back and ahead, joined lines, materials,
+/// libraries.
+std::string text_of_many_chunks() {
+    std::string text = "\xef\xbb\xbfmtllib m.mtl\nf 1/1/1 2/2/1 \\\n\\\n 3/1/1\n";
+    for (int i = 0; i < 50; ++i) {
+        const std::string n = std::to_string(i + 1);
+        text += "v " + n + " 0 " + std::to_string(i * i) + ".5\r\nv 0 " + n + " 0 # c\nvt " + n +
+                " 1\nvn 0 " + n + " 1\n";
+        if (i >= 9) text += "usemtl a" + std::to_string(i % 3) + "\nf -20/-10 -1//-3 \\\n -2/-1/-10 3 -7\n";
+        if (i == 20) text += "mtllib n.mtl\nmtllib m.mtl \n\n#\\\n\r\r";
+    }
+    return text + "f 1 99 100";
+}
+
+bool same(const ObjFile& a, const ObjFile& b) {
+    const auto same_corner = [](const ObjCorner& c, const ObjCorner& d) {
+        return c.position == d.position && c.uv == d.uv && c.normal == d.normal;
+    };
+    const auto same_corners = [&](const auto& t, const auto& u) {
+        return std::equal(t.begin(), t.end(), u.begin(), same_corner);
+    };
+    const auto same_material = [](const ObjMaterial& m, const ObjMaterial& n) {
+        return m.name == n.name && m.diffuse == n.diffuse;
+    };
+    return a.positions == b.positions && a.normals == b.normals && a.uvs == b.uvs &&
+           a.materials == b.materials && std::ranges::equal(a.triangles, b.triangles, same_corners) &&
+           std::ranges::equal(a.material_list, b.material_list, same_material);
+}
+
+/// The error of a text must be the same however it is read; answers it.
+std::string error_in_any_chunks(const std::string& text) {
+    const Folder folder;
+    const std::string path = folder.write("a.obj", text);
+    const std::string whole = error_of([&] { read_obj(path); });
+    for (const ObjReading& reading : readings) {
+        CAPTURE(reading.threads);
+        CAPTURE(reading.chunk_bytes);
+        CHECK(error_of([&] { read_obj(path, reading); }) == whole);
+    }
+    return whole;
+}
+
+} // namespace
+
+TEST_CASE(
+    "a file is the same, and so are its warnings, however it is cut into chunks and by how many threads") {
+    const Folder folder;
+    folder.write("m.mtl", "newmtl a0\nKd 1 0 0\nnewmtl a1\nKd 0 1 0\n");
+    folder.write("n.mtl", "newmtl a2\nKd 0 0 1\n");
+    const std::string path = folder.write("a.obj", text_of_many_chunks());
+    const Stderr said;
+    const ObjFile whole = read_obj(path, {1, 1 << 20});
+    CHECK(whole.triangles.size() == 125);
+    CHECK(whole.positions.size() == 100);
+    CHECK(whole.triangles[1][0].position == 0); // -20 where 20 stand before it
+    CHECK(whole.material_list.size() == 4);     // the default too: a2 is named before its library is
+    CHECK(said.text() == "");
+    for (const ObjReading& reading : readings) {
+        CAPTURE(reading.threads);
+        CAPTURE(reading.chunk_bytes);
+        CHECK(same(read_obj(path, reading), whole));
+    }
+    CHECK(said.text() == "");
+}
+
+TEST_CASE("an error names its line, in whichever chunk that stands") {
+    std::string before = four + "f 1 2 \\\n 3\r\n"; // six lines
+    for (int line = 7; line < 60; line += 6) {
+        CHECK_ERROR(error_in_any_chunks(before + "f 1 2 x\nf 1 2 3\nv y\n"), ":" + std::to_string(line) + ":",
+                    "\"x\"");
+        CHECK_ERROR(error_in_any_chunks(before + "f 1 2 -5\nf 1 2 z\n"), ":" + std::to_string(line) + ":",
+                    "position -5, but only 4 stand");
+        CHECK_ERROR(error_in_any_chunks(before + "f 1 2 5\nf 1 2 6\nf 1 2 6\n"),
+                    ":" + std::to_string(line + 1) + ":", "position 6", "has 4");
+        before += "# a\nf -4 -3 -1\r\n\n#\\\n\rf 1 2 4 3\n";
+    }
+}
+
+TEST_CASE("the first of several errors is told, whichever thread finds one first") {
+    std::string text = four;
+    for (int i = 0; i < 20000; ++i) text += i % 4000 == 3999 ? "f 1 2 wrong\n" : "f 1 2 3\n";
+    const Folder folder;
+    const std::string path = folder.write("a.obj", text);
+    for (int i = 0; i < 20; ++i) CHECK_ERROR(error_of([&] { read_obj(path, {4, 5000}); }), "a.obj:4004:");
+}
+
+TEST_CASE("a library that is named twice is read once, blanks behind its name or not") {
+    const Folder folder;
+    const Stderr said;
+    const std::string once = warnings_of(folder, "mtllib none.mtl\n" + four + "f 1 2 3\n");
+    CHECK(warnings_of(folder, "mtllib none.mtl \nmtllib none.mtl \n" + four + "f 1 2 3\n") == once);
 }
 
 // ---- materials

@@ -1,0 +1,125 @@
+// Normals for a file that gives none: faces that meet in a point, found by hashing, look round together.
+#pragma once
+
+#include "common/obj_file.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace rt {
+
+/// Twice the area, along the outward normal.
+inline vec3 area_normal(const std::array<vec3, 3>& corner) {
+    return cross(corner[1] - corner[0], corner[2] - corner[0]);
+}
+
+/// Numbers things 0, 1, 2 ... and finds those again that it has met: a hash table whose entries are chained.
+struct Numbering {
+    static constexpr std::uint32_t none = 0xffffffff;
+    std::vector<std::uint32_t> newest; ///< by hash: the last thing numbered that has it,
+    std::vector<std::uint32_t> older;  ///< by number: the one before it, and so on
+
+    explicit Numbering(std::size_t size) : newest(std::bit_ceil(size), none) {}
+
+    /// `same(n)` tells whether thing n is this one. Equal things must come with equal hashes.
+    template <typename Same>
+    std::uint32_t operator()(std::uint64_t hash, const Same& same) {
+        std::uint32_t& head = newest[hash & (newest.size() - 1)];
+        for (std::uint32_t n = head; n != none; n = older[n])
+            if (same(n)) return n;
+        older.push_back(head);
+        return head = std::uint32_t(older.size() - 1);
+    }
+};
+
+inline std::uint64_t hash(vec3 v) {
+    std::uint64_t h = 0;
+    for (int i = 0; i < 3; ++i) {
+        h = (h ^ std::bit_cast<std::uint32_t>(v[i] + 0.0f)) * 0x9e3779b97f4a7c15; // -0 + 0 is 0, as -0 == 0
+        h ^= h >> 32;
+    }
+    return h;
+}
+
+/// Corners of triangles (number 3 t + k for corner k of triangle t) by the point where they meet.
+struct Meetings {
+    std::vector<std::uint32_t> corner; ///< those of one point side by side, in ascending order
+    std::vector<std::uint32_t> end;    ///< one a point: where its corners end and the next one's begin
+};
+
+/// Points count as one if their coordinates are equal, since many files repeat them for every face.
+inline Meetings meetings(const ObjFile& file) {
+    Numbering numbering(file.positions.size());
+    std::vector<vec3> points;
+    std::vector<std::uint32_t> point; // one a position
+    for (const vec3 p : file.positions) {
+        point.push_back(numbering(hash(p), [&](std::uint32_t n) { return points[n] == p; }));
+        if (point.back() == points.size()) points.push_back(p);
+    }
+    const auto corners = std::uint32_t(3 * file.triangles.size());
+    const auto point_of = [&](std::uint32_t c) {
+        return point[std::size_t(file.triangles[c / 3][c % 3].position)];
+    };
+    Meetings meet{std::vector<std::uint32_t>(corners), std::vector<std::uint32_t>(points.size() + 1)};
+    for (std::uint32_t c = 0; c < corners; ++c) ++meet.end[point_of(c) + 1]; // how many,
+    std::partial_sum(meet.end.begin(), meet.end.end(), meet.end.begin());    // where they begin,
+    for (std::uint32_t c = 0; c < corners; ++c)
+        meet.corner[meet.end[point_of(c)]++] = c; // and where they end
+    meet.end.pop_back();
+    return meet;
+}
+
+/// The faces that meet in a point, as area normals: for each the sum of those, itself among them, that differ
+/// from it by no more than the angle `crease`, in radians.
+inline std::vector<vec3> smooth_sums(const std::vector<vec3>& faces, float crease) {
+    const vec3 all = std::accumulate(faces.begin(), faces.end(), vec3(0));
+    const float half = (std::cos(crease / 2) + 1e-5f) * length(all);
+    const auto near_all = [&](vec3 face) { return dot(face, all) > half * length(face); };
+    if (std::ranges::all_of(faces, near_all)) // none differs by half from their sum: no two by more than all
+        return std::vector<vec3>(faces.size(), all);
+
+    std::vector<float> lengths;
+    for (const vec3 face : faces) lengths.push_back(length(face));
+    std::vector<vec3> sums(faces.size());
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+        const float least = std::cos(crease) * lengths[i];
+        vec3 sum(0);
+        for (std::size_t j = 0; j < faces.size(); ++j)
+            if (dot(faces[i], faces[j]) >= least * lengths[j]) sum += faces[j];
+        sums[i] = sum;
+    }
+    return sums;
+}
+
+/// A normal for each corner of each triangle of a file that gives none. Faces that meet in a point are
+/// smoothed together, weighted by area, unless they differ by more than `crease` degrees: so a ball is round
+/// and a cube keeps its edges.
+inline std::vector<std::array<vec3, 3>> smooth_normals(const ObjFile& file, float crease) {
+    const auto face = [&](std::uint32_t t) {
+        const auto& [a, b, c] = file.triangles[t];
+        return area_normal({file.positions[std::size_t(a.position)], file.positions[std::size_t(b.position)],
+                            file.positions[std::size_t(c.position)]});
+    };
+    const Meetings meet = meetings(file);
+    std::vector<std::array<vec3, 3>> normals(file.triangles.size());
+    std::vector<vec3> faces;
+    for (std::uint32_t begin = 0; const std::uint32_t end : meet.end) {
+        faces.clear();
+        for (std::uint32_t i = begin; i < end; ++i) faces.push_back(face(meet.corner[i] / 3));
+        const std::vector<vec3> sums = smooth_sums(faces, glm::radians(crease));
+        for (std::uint32_t i = begin; i < end; ++i) {
+            const vec3 sum = sums[i - begin];
+            normals[meet.corner[i] / 3][meet.corner[i] % 3] =
+                normalize(length(sum) > 0 ? sum : faces[i - begin]);
+        }
+        begin = end;
+    }
+    return normals;
+}
+
+} // namespace rt
