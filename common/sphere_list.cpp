@@ -79,7 +79,8 @@ ListedSphere sphere_of(const Row& row) {
 
 std::vector<ListedSphere> read_sphere_list(const std::string& path) {
     std::string text = read_file(path, most_bytes);
-    unify_text(text);
+    blank_byte_order_mark(text);
+    unify_line_ends(text);
     std::vector<ListedSphere> spheres;
     bool named = false; // the columns
     int line = 0;
