@@ -2,7 +2,7 @@
 #pragma once
 
 #include "01_spheres/sphere.h"
-#include "05_mesh_bvh/row.h"
+#include "common/row.h"
 
 #include <array>
 #include <cmath>

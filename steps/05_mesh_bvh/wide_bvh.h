@@ -3,8 +3,8 @@
 #pragma once
 
 #include "05_mesh_bvh/block.h"
-#include "05_mesh_bvh/row.h"
 #include "common/big_vector.h"
+#include "common/row.h"
 #include "common/tally.h"
 
 #include <array>
