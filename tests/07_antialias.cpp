@@ -453,7 +453,7 @@ TEST_CASE("16 even samples leave less than half of the variance of an edge that 
                 variance[std::size_t(kind)].add(squares / (share * (1 - share) / 16));
         }
     }
-    const auto& [random, stratified, sobol] = variance;
+    const Mean &random = variance[0], &stratified = variance[1], &sobol = variance[2];
     INFO("in units of p (1 - p) / 16, random samples left "
          << random.mean() << ", stratified ones " << stratified.mean() << ", Sobol ones " << sobol.mean());
     CHECK_MESSAGE(stratified.mean() < 0.5, "as much as random ones: the samples are not held in their cells");

@@ -286,7 +286,7 @@ void Scanner::check_name(char* at, char* end, bool library) {
 /// Groups, objects, smoothing, lines, points, curves and what other programs add. A word of control
 /// characters is none of these.
 void Scanner::check_ignored(char* begin, const char* keyword_end) const {
-    const auto is_control = [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; };
+    const auto is_control = [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; };
     const bool end_of_dos_file = *begin == '\x1a' && (line > 1 || !begins_file);
     if (!end_of_dos_file && std::any_of(static_cast<const char*>(begin), keyword_end, is_control))
         fail("not text; is this an OBJ file?");
