@@ -222,8 +222,9 @@ bool any_hit(const WideBvh<Block>& bvh, const Ray& ray) {
             }
         }
         if (top == stack.data()) return false;
-        child = top[-1].node->child[next_lane(top[-1].entered)];
-        if (top[-1].entered == 0) --top;
+        --top;
+        child = top->node->child[next_lane(top->entered)];
+        if (top->entered != 0) ++top;
     }
 }
 
