@@ -1,5 +1,5 @@
-// Vectors of millions: on whole cache lines and, where the system has them, in huge pages, since a ray that looks
-// anywhere in 200 MB otherwise spends its time on finding pages.
+// Vectors of millions: on whole cache lines and, where the system has them, in huge pages, since a ray that
+// looks anywhere in 200 MB otherwise spends its time on finding pages.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// A thread is started whenever fewer than allowed are at work: for tasks of a millisecond and more that is cheap
-// enough, and there is no pool to look after.
+// A thread is started whenever fewer than allowed are at work: for tasks of a millisecond and more that is
+// cheap enough, and there is no pool to look after.
 #include "common/parallel.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Eight numbers at once. GCC and Clang know vectors of any machine: with AVX a row is one register, with SSE or NEON
-// two, and elsewhere eight plain numbers.
+// Eight numbers at once. GCC and Clang know vectors of any machine: with AVX a row is one register, with SSE
+// or NEON two, and elsewhere eight plain numbers.
 #pragma once
 
 #include <cstdint>

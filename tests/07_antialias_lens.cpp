@@ -31,7 +31,8 @@ std::vector<vec2> grid() {
 } // namespace
 
 TEST_CASE("points of the disk are spread evenly by area, and even points stay even") {
-    // Even by area: the mean of r^2 is 1/2, that of r^4 1/3; and x and y are alike and know nothing of each other.
+    // Even by area: the mean of r^2 is 1/2, that of r^4 1/3; and x and y are alike and know nothing of each
+    // other.
     Mean x, y, xy, difference, square, fourth;
     Random random(3);
     for (int i = 0; i < 100'000; ++i) {
@@ -49,7 +50,8 @@ TEST_CASE("points of the disk are spread evenly by area, and even points stay ev
     INFO("means of x, y, x y, x^2 - y^2: " << x.against(0) << "; " << y.against(0) << "; " << xy.against(0)
                                            << "; " << difference.against(0));
     for (const Mean& mean : {x, y, xy, difference}) CHECK(std::abs(mean.z(0)) < 4);
-    // Area is kept everywhere: a small square of side h becomes a patch of h^2 times pi (disk) over 1 (square).
+    // Area is kept everywhere: a small square of side h becomes a patch of h^2 times pi (disk) over 1
+    // (square).
     for (const vec2 u :
          {vec2(0.2f, 0.3f), vec2(0.9f, 0.6f), vec2(0.55f, 0.95f), vec2(0.4f, 0.1f), vec2(0.05f, 0.5f)}) {
         const float h = 1 / 256.0f;

@@ -54,10 +54,10 @@ inline void put(TriangleBlock& block, int lane, const std::array<vec3, 3>& corne
     block.shape[std::size_t(lane)] = shape;
 }
 
-/// Woop, Benthin and Wald 2013, "Watertight Ray/Triangle Intersection". Shear space so that the ray runs along z
-/// from the origin: then it meets a triangle whose three edges all turn the same way around (0, 0). The edge
-/// functions of two triangles that share an edge are each other's exact negatives, since a product is rounded the
-/// same way on both sides: no ray slips through between them, in float and without an epsilon.
+/// Woop, Benthin and Wald 2013, "Watertight Ray/Triangle Intersection". Shear space so that the ray runs
+/// along z from the origin: then it meets a triangle whose three edges all turn the same way around (0, 0).
+/// The edge functions of two triangles that share an edge are each other's exact negatives, since a product
+/// is rounded the same way on both sides: no ray slips through between them, in float and without an epsilon.
 [[gnu::always_inline]] inline BlockHits intersect(const TriangleBlock& block, const BlockRay& ray, Row t_min,
                                                   Row t_max) {
     const auto& [a, b, c] = block.corners;

@@ -1,5 +1,5 @@
-// What a ray can meet, and how it finds the nearest: one vector per kind of shape, and trees over those that are
-// many.
+// What a ray can meet, and how it finds the nearest: one vector per kind of shape, and trees over those that
+// are many.
 #pragma once
 
 #include "01_spheres/plane.h"
@@ -19,8 +19,8 @@
 
 namespace rt {
 
-/// How a ray looks for what it meets: by asking every shape, by descending a binary tree, or one with eight boxes a
-/// node and eight shapes a leaf.
+/// How a ray looks for what it meets: by asking every shape, by descending a binary tree, or one with eight
+/// boxes a node and eight shapes a leaf.
 enum class Accel { brute, bvh, wide };
 
 inline Choice<Accel> accel_knob(Options& options, Accel initial) {

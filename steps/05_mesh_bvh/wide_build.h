@@ -1,5 +1,5 @@
-// How the wide tree is made: cut in two by the surface area heuristic until eight shapes are left, then fold the
-// binary tree into nodes of eight children in the way that costs a ray least.
+// How the wide tree is made: cut in two by the surface area heuristic until eight shapes are left, then fold
+// the binary tree into nodes of eight children in the way that costs a ray least.
 #pragma once
 
 #include "05_mesh_bvh/box.h"
@@ -40,8 +40,8 @@ inline float half_area(const FourBox& box) {
     return size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
 }
 
-/// A shape on its way down the tree: its box, and in the fourth lane of `low` its number, dressed as an ordinary
-/// float so that it can be computed with at no cost, and no sense.
+/// A shape on its way down the tree: its box, and in the fourth lane of `low` its number, dressed as an
+/// ordinary float so that it can be computed with at no cost, and no sense.
 struct Fragment {
     FourBox box;
 };
@@ -176,10 +176,10 @@ struct BinaryNode {
     std::array<std::uint8_t, 7> share{}; ///< how many of these go to the left child; 0: as with k - 1
 };
 
-/// Ylitie, Karras and Laine 2017, section 3.2 ("Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide
-/// BVHs"): of all ways to fold the tree, the least sum of areas, since a ray visits a node with a chance in
-/// proportion to its area. With k places a subtree shares them between its children, or takes one as a node of its
-/// own with eight places below.
+/// Ylitie, Karras and Laine 2017, section 3.2 ("Efficient Incoherent Ray Traversal on GPUs Through Compressed
+/// Wide BVHs"): of all ways to fold the tree, the least sum of areas, since a ray visits a node with a chance
+/// in proportion to its area. With k places a subtree shares them between its children, or takes one as a
+/// node of its own with eight places below.
 inline void weigh(BinaryNode& node, const BinaryNode& left, const BinaryNode& right) {
     const auto shared = [&](std::size_t places) {
         std::pair<float, std::uint8_t> best{infinity, std::uint8_t(1)}; // which stays if all areas overflow
@@ -199,8 +199,8 @@ inline void weigh(BinaryNode& node, const BinaryNode& left, const BinaryNode& ri
     }
 }
 
-/// Makes the binary tree. The fragments move from one array to the other at each cut; `order` gets their numbers
-/// when they arrive in a leaf.
+/// Makes the binary tree. The fragments move from one array to the other at each cut; `order` gets their
+/// numbers when they arrive in a leaf.
 struct BinaryBuilder {
     std::array<BigVector<Fragment>, 2> fragments;
     BigVector<std::uint32_t> order;
@@ -314,8 +314,8 @@ struct Folding {
 
     float size(std::uint32_t number) const { return half_area(binary[number].box); }
 
-    /// The binary nodes that become children of a wide one. Small boxes first: of two that a shadow ray enters, the
-    /// smaller one is likelier to be full.
+    /// The binary nodes that become children of a wide one. Small boxes first: of two that a shadow ray
+    /// enters, the smaller one is likelier to be full.
     struct Children {
         std::array<std::uint32_t, lanes> number{};
         std::size_t count = 0;
@@ -387,8 +387,9 @@ struct Layout {
     }
 };
 
-/// The wide tree over shapes 0 to count - 1 (at most 2^29): bounds_of(i) is the box of shape i, and put_into(block,
-/// lane, i) writes it into a block. The same shapes give the same tree, on any number of threads.
+/// The wide tree over shapes 0 to count - 1 (at most 2^29): bounds_of(i) is the box of shape i, and
+/// put_into(block, lane, i) writes it into a block. The same shapes give the same tree, on any number of
+/// threads.
 template <typename Block, typename BoundsOf, typename PutInto>
 WideBvh<Block> build_wide_bvh(std::size_t count, const BoundsOf& bounds_of, const PutInto& put_into) {
     WideBvh<Block> bvh;

@@ -1,5 +1,5 @@
-// A tree for speed: eight boxes a node and eight shapes a leaf, tested at once. The same idea as in bvh.h; what is new
-// is how the numbers lie in memory.
+// A tree for speed: eight boxes a node and eight shapes a leaf, tested at once. The same idea as in bvh.h;
+// what is new is how the numbers lie in memory.
 #pragma once
 
 #include "05_mesh_bvh/block.h"
@@ -16,8 +16,8 @@
 
 namespace rt {
 
-/// Eight boxes, axis by axis, low planes before high ones; and what is in them. An empty lane's box is inside out
-/// (low = infinity), so that no ray enters it.
+/// Eight boxes, axis by axis, low planes before high ones; and what is in them. An empty lane's box is inside
+/// out (low = infinity), so that no ray enters it.
 struct alignas(64) WideNode {
     Row planes[3][2];
     std::array<std::uint32_t, lanes>
@@ -35,9 +35,9 @@ struct alignas(64) CacheLine {
     std::byte bytes[64];
 };
 
-/// Nodes and blocks in one array, each beside its parent: what is needed next is near, one pointer reaches all, and
-/// fetching ahead need not know which of the two it fetches. `Block` is TriangleBlock or SphereBlock, or whatever has
-/// an intersect() like theirs.
+/// Nodes and blocks in one array, each beside its parent: what is needed next is near, one pointer reaches
+/// all, and fetching ahead need not know which of the two it fetches. `Block` is TriangleBlock or
+/// SphereBlock, or whatever has an intersect() like theirs.
 template <typename Block>
 struct WideBvh {
     BigVector<CacheLine> lines;        ///< none without shapes
@@ -63,8 +63,8 @@ void prefetch(const WideBvh<Block>& bvh, std::uint32_t child) {
         __builtin_prefetch(begin + line);
 }
 
-/// A ray as the nodes want it. `near` tells which planes it meets first, as their distance in bytes from the node's
-/// begin: choosing rows once a ray is cheaper than swapping numbers once a box.
+/// A ray as the nodes want it. `near` tells which planes it meets first, as their distance in bytes from the
+/// node's begin: choosing rows once a ray is cheaper than swapping numbers once a box.
 struct WideRay {
     Row origin[3];
     Row inverse[3];     ///< 1 / direction; plus or minus infinity along an axis where the ray stands still
@@ -86,8 +86,8 @@ struct WideRay {
     return wide;
 }
 
-/// The slab test of box.h for eight boxes: which ones the ray enters, and at which t. A plane in which the ray lies
-/// gives NaN, and the order of the operands lets the other number through.
+/// The slab test of box.h for eight boxes: which ones the ray enters, and at which t. A plane in which the
+/// ray lies gives NaN, and the order of the operands lets the other number through.
 [[gnu::always_inline]] inline unsigned enter(const WideNode& node, const WideRay& ray, Row t_max, Row& t) {
     const auto plane = [](std::uintptr_t address) { return *reinterpret_cast<const Row*>(address); };
     const auto begin = reinterpret_cast<std::uintptr_t>(&node);
@@ -126,8 +126,8 @@ inline void insert(const Waiting* begin, Waiting*& top, Waiting entry) {
     *place = entry;
 }
 
-/// Goes down from `child` to a block, always to the nearest box; the others that the ray enters wait. False if a
-/// node is reached of which it enters none.
+/// Goes down from `child` to a block, always to the nearest box; the others that the ray enters wait. False
+/// if a node is reached of which it enters none.
 template <typename Block>
 [[gnu::always_inline]] inline bool descend(const WideBvh<Block>& bvh, const WideRay& ray, Row t_max,
                                            Waiting*& top, std::uint32_t& child) {
@@ -192,8 +192,8 @@ std::optional<BlockHit> nearest(const WideBvh<Block>& bvh, const Ray& ray) {
     }
 }
 
-/// Whether the ray meets any shape at all. It need not know which child is nearer, so what waits of a node is a set
-/// of lanes.
+/// Whether the ray meets any shape at all. It need not know which child is nearer, so what waits of a node is
+/// a set of lanes.
 template <typename Block>
 bool any_hit(const WideBvh<Block>& bvh, const Ray& ray) {
     struct Lanes {

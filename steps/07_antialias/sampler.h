@@ -12,10 +12,10 @@ namespace rt {
 
 enum class SamplerKind { random, stratified, sobol };
 
-/// Use it in place of Random: each call takes the next dimension of the sample (uniform2() the next two, which
-/// are even together). Over the samples of a pixel every dimension is spread evenly, and no dimension knows of
-/// another: the samples go through each in an order of its own (padding: Kollig and Keller 2002). A dimension
-/// is the number of the call, so samples that ask in the same order profit most.
+/// Use it in place of Random: each call takes the next dimension of the sample (uniform2() the next two,
+/// which are even together). Over the samples of a pixel every dimension is spread evenly, and no dimension
+/// knows of another: the samples go through each in an order of its own (padding: Kollig and Keller 2002). A
+/// dimension is the number of the call, so samples that ask in the same order profit most.
 class Sampler {
   public:
     Sampler(SamplerKind chosen, const Sample& sample)

@@ -15,8 +15,8 @@ constexpr std::uint32_t reversed_bits(std::uint32_t bits) {
 
 /// The second coordinate of Sobol point `index` (Sobol 1967), its digits reversed: bit 0 counts 1/2, bit 1
 /// counts 1/4. (The first coordinate, reversed, is `index` itself: van der Corput 1935.) Digit r is the sum
-/// mod 2 of C(j, r) times bit j of the index, and C(j, r) is odd where r has no bit that j lacks (Lucas 1878),
-/// so five halvings make the whole sum.
+/// mod 2 of C(j, r) times bit j of the index, and C(j, r) is odd where r has no bit that j lacks (Lucas
+/// 1878), so five halvings make the whole sum.
 constexpr std::uint32_t sobol_second(std::uint32_t index) {
     //> fold each half of the bits onto the other, for halves of 16, 8, 4, 2 and 1
     index ^= index >> 16;

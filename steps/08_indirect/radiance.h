@@ -75,8 +75,8 @@ vec3 asked(const S& scene, const AreaLights& lights, const Transport& transport,
     return from_points + area_light(scene, lights, hit, source, absorption, rivals);
 }
 
-/// The share of a lamp's light that counts where a path runs into it. `density` is that of the ray's direction,
-/// which has unit length then; infinite if the path had no other way.
+/// The share of a lamp's light that counts where a path runs into it. `density` is that of the ray's
+/// direction, which has unit length then; infinite if the path had no other way.
 template <typename S>
 float found(const S& scene, const AreaLights& lights, const Transport& transport, const Ray& ray,
             const Hit& hit, float density) {

@@ -1,4 +1,5 @@
-// Facts about work on several threads: all of it is done, on no more threads than allowed, and no exception is lost.
+// Facts about work on several threads: all of it is done, on no more threads than allowed, and no exception
+// is lost.
 #include "common/parallel.h"
 
 #include <doctest/doctest.h>

@@ -55,7 +55,8 @@ inline bool right(const Found& answer, const Found& truth, bool segment) {
     return same(answer, truth);
 }
 
-/// `embree` may be empty. Asks every triangle for at most `limit` disagreements and `limit` rays picked at random.
+/// `embree` may be empty. Asks every triangle for at most `limit` disagreements and `limit` rays picked at
+/// random.
 inline Agreement compare(const Mesh& mesh, const std::vector<Ray>& rays, const std::vector<Found>& ours,
                          const std::vector<Found>& embree, bool segment, int limit) {
     Agreement agreement;

@@ -1,6 +1,6 @@
-// bench_convergence: how fast the error of step 08's pictures falls, for each way to look for light and each sampler,
-// against a converged picture. The book-style path tracer that it compares with bounces uniformly over the hemisphere,
-// with plain random numbers, never asks a lamp and plays no roulette.
+// bench_convergence: how fast the error of step 08's pictures falls, for each way to look for light and each
+// sampler, against a converged picture. The book-style path tracer that it compares with bounces uniformly
+// over the hemisphere, with plain random numbers, never asks a lamp and plays no roulette.
 #include "07_antialias/filter.h"
 #include "08_indirect/cornell.h"
 #include "08_indirect/radiance.h"
@@ -87,8 +87,8 @@ std::string_view bytes_of(const Image& image) {
     return {reinterpret_cast<const char*>(image.pixels.data()), image.pixels.size() * sizeof(vec3)};
 }
 
-/// Renders the truth, or reads it from the build folder, where it stands under a name that changes with all that it
-/// depends on: a coarse picture by the same code is part of the key.
+/// Renders the truth, or reads it from the build folder, where it stands under a name that changes with all
+/// that it depends on: a coarse picture by the same code is part of the key.
 void find_truth(Subject& subject, int samples) {
     const Image coarse = shoot(subject, {}, SamplerKind::sobol, 4, 1, 0);
     std::uint64_t key = scatter(std::uint64_t(samples));
@@ -208,8 +208,8 @@ void print_table(const std::vector<Series>& all, const Wish& wish) {
     }
 }
 
-/// How many times less time MIS needs to the book's error. Where its first sample is better already, it is at least
-/// that much.
+/// How many times less time MIS needs to the book's error. Where its first sample is better already, it is at
+/// least that much.
 void print_speedups(const std::vector<Series>& all) {
     const Series& book = find(all, "book", "random");
     std::printf(
@@ -234,7 +234,8 @@ void print_speedups(const std::vector<Series>& all) {
     std::printf("\n");
 }
 
-/// The error that each sampler leaves in the time in which random numbers take n samples, as a part of theirs.
+/// The error that each sampler leaves in the time in which random numbers take n samples, as a part of
+/// theirs.
 void print_equal_time(const std::vector<Series>& all) {
     const Series& random = find(all, "MIS", "random");
     std::printf("\nError with MIS at equal time, over that of n random samples with MIS:\n\n| sampler    |");

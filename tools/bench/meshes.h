@@ -1,4 +1,5 @@
-// What the benchmarks trace: an animal, and fields of torus knots of any size, each in a closed room of 12 triangles.
+// What the benchmarks trace: an animal, and fields of torus knots of any size, each in a closed room of 12
+// triangles.
 #pragma once
 
 #include "01_spheres/camera.h"
@@ -52,8 +53,8 @@ inline void add_room(Mesh& mesh, const Box& box) {
     }
 }
 
-/// A curve that winds p times about the axis of a torus and q times about its core, at angle phi; and the normal of
-/// the torus there, which is at right angles to the curve. It fits into a ball of radius 3.
+/// A curve that winds p times about the axis of a torus and q times about its core, at angle phi; and the
+/// normal of the torus there, which is at right angles to the curve. It fits into a ball of radius 3.
 struct Knot {
     float p, q;
 };
@@ -148,8 +149,8 @@ inline void furnish(Subject& subject, const Box& room) {
     subject.light_corner = top - (subject.light_u + subject.light_v) / 2.0f;
 }
 
-/// About `triangles` of them: eight knots, each in a cell of 1 m, the same shapes however finely they are cut. The same
-/// on every run.
+/// About `triangles` of them: eight knots, each in a cell of 1 m, the same shapes however finely they are
+/// cut. The same on every run.
 inline Subject knot_field(const std::string& name, int triangles) {
     Subject subject;
     subject.name = name;

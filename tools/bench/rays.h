@@ -19,7 +19,8 @@ struct RaySets {
     std::vector<Ray> shadow;  ///< segments from the primary hits that face the light to points of it
 };
 
-/// A picture of `size` x `size` pixels, in tiles of 16 x 16 (`size` is a multiple of it) and rows within a tile.
+/// A picture of `size` x `size` pixels, in tiles of 16 x 16 (`size` is a multiple of it) and rows within a
+/// tile.
 inline std::vector<Ray> primary_rays(const Subject& subject, int size) {
     const Camera camera = make_camera(subject.pose, size, size);
     const int tile = 16, columns = size / tile;
@@ -34,8 +35,8 @@ inline std::vector<Ray> primary_rays(const Subject& subject, int size) {
     return rays;
 }
 
-/// The rays that leave the primary hits. Those that would start into the surface's shadow side are left out, as a
-/// renderer does.
+/// The rays that leave the primary hits. Those that would start into the surface's shadow side are left out,
+/// as a renderer does.
 inline RaySets make_rays(const Subject& subject, const Ours& ours, int size) {
     RaySets sets{primary_rays(subject, size), {}, {}};
     sets.bounce.reserve(sets.primary.size());

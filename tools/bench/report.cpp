@@ -1,4 +1,5 @@
-// bench_report FOLDER: turns the numbers of traversal.json, scaling.json, ... in a folder into report.md and plots.
+// bench_report FOLDER: turns the numbers of traversal.json, scaling.json, ... in a folder into report.md and
+// plots.
 #include "common/error.h"
 #include "tools/bench/json.h"
 #include "tools/bench/json_reader.h"
@@ -30,7 +31,8 @@ struct Table {
     std::vector<std::vector<std::string>> rows;
 };
 
-/// Columns of equal width, so that the file reads well as it stands; all but the first few are numbers, to the right.
+/// Columns of equal width, so that the file reads well as it stands; all but the first few are numbers, to
+/// the right.
 std::string markdown(const Table& table, std::size_t names) {
     std::vector<std::size_t> widths;
     for (const std::string& title : table.head) widths.push_back(title.size());
@@ -195,7 +197,8 @@ void add_traversal(Report& report, const Json& json) {
 
 // ---- scaling ----
 
-/// y over the number of triangles, from the list `list` of the report; of one kind of ray, or all if it is empty.
+/// y over the number of triangles, from the list `list` of the report; of one kind of ray, or all if it is
+/// empty.
 Curve curve(const Json& json, const char* list, const std::string& rays, const auto& y) {
     Curve result;
     for (const Json& one : field(json, list).list)

@@ -1,5 +1,5 @@
-// How many rays a second find their way through a mesh, ours and Embree's side by side: the same triangles, the same
-// rays, the same threads, round about. Also how long both builds take, and what they hold.
+// How many rays a second find their way through a mesh, ours and Embree's side by side: the same triangles,
+// the same rays, the same threads, round about. Also how long both builds take, and what they hold.
 #include "tools/bench/agreement.h"
 #include "tools/bench/embree.h"
 #include "tools/bench/json.h"
@@ -151,7 +151,8 @@ Seconds trace_embree(Team&, const Nobody&, const std::vector<Ray>&, bool, std::v
 }
 #endif
 
-/// Traces the same rays on both sides, round about; the first round warms up and gives the answers to compare.
+/// Traces the same rays on both sides, round about; the first round warms up and gives the answers to
+/// compare.
 Case measure(Team& team, const Mesh& mesh, const Sides& sides, const std::vector<Ray>& rays, bool segment,
              const Wish& wish) {
     std::vector<Found> ours(rays.size()), embree(sides.embree ? rays.size() : 0);

@@ -1,5 +1,6 @@
-// A second thread that looks every 50 microseconds at what a step's program is at. The program must render with one
-// thread. In the end it prints a line "shares <scene> <build> <traversal> <shading> <samples>" on stdout.
+// A second thread that looks every 50 microseconds at what a step's program is at. The program must render
+// with one thread. In the end it prints a line "shares <scene> <build> <traversal> <shading> <samples>" on
+// stdout.
 
 #include "tools/bench/phase.h"
 
@@ -26,7 +27,8 @@ class Watcher {
     }
 
   private:
-    /// What comes after the last ray is the writing of files: shading counts only once another ray has followed.
+    /// What comes after the last ray is the writing of files: shading counts only once another ray has
+    /// followed.
     void watch() {
         long pending = 0;
         while (!stop) {

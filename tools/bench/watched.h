@@ -1,5 +1,6 @@
-// Forced in front of a step's main.cpp: the program's scene becomes one that says what the program is at, so that
-// watched.cpp can see where the time goes. RT_SCENE is the scene.h that the program uses. The program is not changed.
+// Forced in front of a step's main.cpp: the program's scene becomes one that says what the program is at, so
+// that watched.cpp can see where the time goes. RT_SCENE is the scene.h that the program uses. The program is
+// not changed.
 #pragma once
 
 #include RT_SCENE
@@ -11,7 +12,8 @@
 
 namespace rt {
 
-/// A Scene in every respect; but being another type, it is passed to the functions below, which fit it better.
+/// A Scene in every respect; but being another type, it is passed to the functions below, which fit it
+/// better.
 struct WatchedScene : Scene {};
 
 /// The plain scene; a template, so that what a step does not have is looked up only where it is used.
