@@ -41,3 +41,12 @@ add_library(rt::native ALIAS rt_native)
 if(RAYSTEPS_NATIVE)
     rt_compile_option(rt_native -march=native)
 endif()
+
+# The programs of the steps are small functions in headers, and a path calls dozens of them. With its usual limits g++
+# stops pasting them into each other half-way.
+add_library(rt_inlining INTERFACE)
+add_library(rt::inlining ALIAS rt_inlining)
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+    rt_compile_option(rt_inlining --param=max-inline-insns-single=400)
+    rt_compile_option(rt_inlining --param=inline-unit-growth=200)
+endif()

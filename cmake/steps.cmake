@@ -52,7 +52,7 @@ function(add_step name)
     string(SUBSTRING ${name} 0 2 number)
 
     add_executable(${name} ${source})
-    target_link_libraries(${name} PRIVATE common rt::native)
+    target_link_libraries(${name} PRIVATE common rt::native rt::inlining)
     use_steps(${name})
     if(TARGET built_assets)
         add_dependencies(${name} built_assets)

@@ -21,7 +21,7 @@ using Mask =
     std::int32_t __attribute__((vector_size(4 * lanes))); ///< what comparing rows gives: -1 or 0 a lane
 
 inline Row row(float value) {
-    return Row{} + value;
+    return value - Row{}; // not plus, which would have to turn -0 into 0
 }
 
 /// Lane by lane. Where one of the two is not a number, it is the second: put the one that must survive last.

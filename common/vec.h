@@ -3,6 +3,8 @@
 
 #include <glm/glm.hpp>
 
+#include <cmath>
+
 namespace rt {
 
 using glm::vec2;
@@ -10,5 +12,10 @@ using glm::vec3;
 
 inline constexpr float pi = 3.14159265358979f;
 inline constexpr float infinity = std::numeric_limits<float>::infinity();
+
+/// The size of each coordinate; glm::abs() compares and chooses where clearing the sign bits does.
+inline vec3 absolute(vec3 v) {
+    return {std::abs(v.x), std::abs(v.y), std::abs(v.z)};
+}
 
 } // namespace rt

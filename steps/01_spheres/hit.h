@@ -15,7 +15,7 @@ inline constexpr float epsilon = 0x1p-17f;
 
 /// How far a point may be off that was found along a ray from `origin`.
 inline float position_error(vec3 origin, vec3 position) {
-    const vec3 reach = max(abs(position), abs(origin));
+    const vec3 reach = max(absolute(position), absolute(origin));
     return epsilon * glm::max(reach.x, glm::max(reach.y, reach.z));
 }
 

@@ -20,11 +20,13 @@ struct BlockRay {
     Row shear_x, shear_y, scale; ///< take the direction to the unit vector along z
 };
 
-[[gnu::always_inline]] inline BlockRay block_ray(const Ray& ray) {
-    const vec3 d = abs(ray.direction);
-    const int z = d.x > d.y ? (d.x > d.z ? 0 : 2) : (d.y > d.z ? 1 : 2);
-    const int x = (z + 1) % 3, y = (z + 2) % 3;
-    const float scale = 1 / ray.direction[z];
+/// `inverse` is 1 / direction.
+[[gnu::always_inline]] inline BlockRay block_ray(const Ray& ray, vec3 inverse) {
+    const vec3 d = absolute(ray.direction);
+    const bool y_leads = d.y > d.x;
+    const int z = d.z >= (y_leads ? d.y : d.x) ? 2 : int(y_leads);
+    const int x = z == 2 ? 0 : z + 1, y = z == 0 ? 2 : z - 1;
+    const float scale = inverse[z];
     return {{row(ray.origin.x), row(ray.origin.y), row(ray.origin.z)},
             glm::dvec3(ray.origin),
             glm::dvec3(ray.direction),
@@ -95,15 +97,14 @@ inline void put(SphereBlock& block, int lane, const Sphere& sphere, std::uint32_
 /// The roots of intersect(const Sphere&, ...), in double for the same reason.
 [[gnu::always_inline]] inline BlockHits intersect(const SphereBlock& block, const BlockRay& ray, Row t_min,
                                                   Row t_max) {
-    RowOfDoubles h{}, c{};
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto to_center =
-            __builtin_convertvector(block.center[axis], RowOfDoubles) - ray.exact_origin[axis];
-        h += ray.exact_direction[axis] * to_center;
-        c += to_center * to_center;
-    }
-    const auto radius = __builtin_convertvector(block.radius, RowOfDoubles);
-    c -= radius * radius;
+    const auto exact = [](Row row) { return __builtin_convertvector(row, RowOfDoubles); };
+    const RowOfDoubles x = exact(block.center[0]) - ray.exact_origin.x;
+    const RowOfDoubles y = exact(block.center[1]) - ray.exact_origin.y;
+    const RowOfDoubles z = exact(block.center[2]) - ray.exact_origin.z;
+    const RowOfDoubles radius = exact(block.radius);
+    const glm::dvec3& d = ray.exact_direction;
+    const RowOfDoubles h = d.x * x + d.y * y + d.z * z;
+    const RowOfDoubles c = x * x + y * y + z * z - radius * radius;
     const double a = dot(ray.exact_direction, ray.exact_direction);
     const RowOfDoubles discriminant = h * h - a * c;
     RowOfDoubles root{};

@@ -73,14 +73,13 @@ struct WideRay {
     Row t_min;
 };
 
-[[gnu::always_inline]] inline WideRay wide_ray(const Ray& ray) {
+[[gnu::always_inline]] inline WideRay wide_ray(const Ray& ray, vec3 inverse) {
     WideRay wide;
     for (int axis = 0; axis < 3; ++axis) {
-        const float inverse = 1 / ray.direction[axis];
         wide.origin[axis] = row(ray.origin[axis]);
-        wide.inverse[axis] = row(inverse);
-        wide.inverse_out[axis] = row(inverse * (1 + 0x1p-21f));
-        wide.near[axis] = sizeof(Row) * std::size_t(2 * axis + (inverse >= 0 ? 0 : 1));
+        wide.inverse[axis] = row(inverse[axis]);
+        wide.inverse_out[axis] = row(inverse[axis] * (1 + 0x1p-21f));
+        wide.near[axis] = sizeof(Row) * std::size_t(2 * axis + (inverse[axis] >= 0 ? 0 : 1));
     }
     wide.t_min = row(ray.t_min);
     return wide;
@@ -165,8 +164,9 @@ struct BlockHit {
 template <typename Block>
 std::optional<BlockHit> nearest(const WideBvh<Block>& bvh, const Ray& ray) {
     if (bvh.lines.empty()) return std::nullopt;
-    const WideRay wide = wide_ray(ray);
-    const BlockRay narrow = block_ray(ray);
+    const vec3 inverse = 1.0f / ray.direction;
+    const WideRay wide = wide_ray(ray, inverse);
+    const BlockRay narrow = block_ray(ray, inverse);
     BlockHit best{ray.t_max, 0, 0, no_shape};
     Row t_max = row(ray.t_max);
     std::array<Waiting, 7 * wide_depth> stack; // every node leaves at most seven children behind
@@ -201,8 +201,9 @@ bool any_hit(const WideBvh<Block>& bvh, const Ray& ray) {
         unsigned entered;
     };
     if (bvh.lines.empty()) return false;
-    const WideRay wide = wide_ray(ray);
-    const BlockRay narrow = block_ray(ray);
+    const vec3 inverse = 1.0f / ray.direction;
+    const WideRay wide = wide_ray(ray, inverse);
+    const BlockRay narrow = block_ray(ray, inverse);
     const Row t_max = row(ray.t_max);
     std::array<Lanes, wide_depth> stack;
     Lanes* top = stack.data();
