@@ -20,8 +20,8 @@ struct BlockRay {
     Row shear_x, shear_y, scale; ///< take the direction to the unit vector along z
 };
 
-/// `inverse` is 1 / direction.
-[[gnu::always_inline]] inline BlockRay block_ray(const Ray& ray, vec3 inverse) {
+[[gnu::always_inline]] inline BlockRay block_ray(const Ray& ray) {
+    const vec3 inverse = 1.0f / ray.direction; // of which wide_ray() needs all three: the same divisions
     const vec3 d = absolute(ray.direction);
     const bool y_leads = d.y > d.x;
     const int z = d.z >= (y_leads ? d.y : d.x) ? 2 : int(y_leads);

@@ -73,7 +73,8 @@ struct WideRay {
     Row t_min;
 };
 
-[[gnu::always_inline]] inline WideRay wide_ray(const Ray& ray, vec3 inverse) {
+[[gnu::always_inline]] inline WideRay wide_ray(const Ray& ray) {
+    const vec3 inverse = 1.0f / ray.direction;
     WideRay wide;
     for (int axis = 0; axis < 3; ++axis) {
         wide.origin[axis] = row(ray.origin[axis]);
@@ -164,9 +165,8 @@ struct BlockHit {
 template <typename Block>
 std::optional<BlockHit> nearest(const WideBvh<Block>& bvh, const Ray& ray) {
     if (bvh.lines.empty()) return std::nullopt;
-    const vec3 inverse = 1.0f / ray.direction;
-    const WideRay wide = wide_ray(ray, inverse);
-    const BlockRay narrow = block_ray(ray, inverse);
+    const WideRay wide = wide_ray(ray);
+    const BlockRay narrow = block_ray(ray);
     BlockHit best{ray.t_max, 0, 0, no_shape};
     Row t_max = row(ray.t_max);
     std::array<Waiting, 7 * wide_depth> stack; // every node leaves at most seven children behind
@@ -201,9 +201,8 @@ bool any_hit(const WideBvh<Block>& bvh, const Ray& ray) {
         unsigned entered;
     };
     if (bvh.lines.empty()) return false;
-    const vec3 inverse = 1.0f / ray.direction;
-    const WideRay wide = wide_ray(ray, inverse);
-    const BlockRay narrow = block_ray(ray, inverse);
+    const WideRay wide = wide_ray(ray);
+    const BlockRay narrow = block_ray(ray);
     const Row t_max = row(ray.t_max);
     std::array<Lanes, wide_depth> stack;
     Lanes* top = stack.data();
