@@ -1,5 +1,5 @@
-// Workers that sleep until there is something to do: to start a thread takes a tenth of a millisecond, and
-// in that time a tree of a thousand triangles is built.
+// Workers that wait until there is something to do: to start a thread takes a tenth of a millisecond, and in
+// that time a tree of a thousand triangles is built.
 #include "common/parallel.h"
 
 #include <algorithm>
@@ -31,6 +31,7 @@ class Pool {
         {
             const std::lock_guard lock(mutex);
             ending = true;
+            ++changes;
         }
         changed.notify_all();
         for (std::thread& worker : workers) worker.join();
@@ -54,7 +55,7 @@ class Pool {
         std::unique_lock lock(mutex);
         while (!task.done) {
             if (offered.empty()) {
-                changed.wait(lock);
+                wait(lock);
             } else {
                 Task& newest = *offered.back();
                 offered.pop_back();
@@ -68,7 +69,8 @@ class Pool {
   private:
     std::mutex mutex;
     std::condition_variable changed; ///< there is a new task, or one is done, or the workers are to end
-    std::deque<Task*> offered;       ///< and not yet begun
+    std::atomic<unsigned> changes = 0;
+    std::deque<Task*> offered; ///< and not yet begun
     std::vector<std::thread> workers;
     std::atomic<int> allowed = std::max(1, int(std::thread::hardware_concurrency())) - 1;
     bool ending = false;
@@ -78,6 +80,7 @@ class Pool {
             const std::lock_guard lock(mutex);
             start_workers();
             offered.push_back(&task);
+            ++changes;
         }
         changed.notify_one();
     }
@@ -95,12 +98,21 @@ class Pool {
     void work() {
         std::unique_lock lock(mutex);
         while (true) {
-            changed.wait(lock, [this] { return ending || !offered.empty(); });
+            while (!ending && offered.empty()) wait(lock);
             if (ending) return;
             Task& oldest = *offered.front();
             offered.pop_front();
             finish(oldest, lock);
         }
+    }
+
+    /// Waits for a change, for a while awake: to wake up takes as long as many a task.
+    void wait(std::unique_lock<std::mutex>& lock) {
+        const unsigned seen = changes;
+        lock.unlock();
+        for (int i = 0; i < 200 && changes == seen; ++i) std::this_thread::yield();
+        lock.lock();
+        if (changes == seen) changed.wait(lock);
     }
 
     /// Does the task, and everything around it under the lock.
@@ -113,6 +125,7 @@ class Pool {
         }
         lock.lock();
         task.done = true;
+        ++changes;
         changed.notify_all();
     }
 };

@@ -167,7 +167,7 @@ struct Bins {
 struct Parts {
     std::size_t begin, end;
 
-    std::size_t count() const { return std::clamp<std::size_t>((end - begin) / 8192, 1, 64); }
+    std::size_t count() const { return std::clamp<std::size_t>((end - begin) / 4096, 1, 64); }
     std::size_t border(std::size_t part) const { return begin + (end - begin) * part / count(); }
 
     /// Calls work(part, its begin, its end) for each.
