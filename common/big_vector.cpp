@@ -13,17 +13,22 @@ namespace {
 constexpr std::size_t cache_line = 64;
 constexpr std::size_t huge_page = std::size_t(2) << 20;
 
+bool in_huge_pages(std::size_t bytes) {
+    return bytes >= huge_page / 2;
+}
 std::size_t border(std::size_t bytes) {
-    return bytes < 2 * huge_page ? cache_line : huge_page;
+    return in_huge_pages(bytes) ? huge_page : cache_line;
 }
 
 } // namespace
 
 void* big_allocate(std::size_t bytes) {
-    void* const memory = ::operator new(bytes, std::align_val_t(border(bytes)));
+    // Whole pages only: what lies behind would belong to others.
+    const std::size_t whole = (bytes + huge_page - 1) / huge_page * huge_page;
+    void* const memory =
+        ::operator new(in_huge_pages(bytes) ? whole : bytes, std::align_val_t(border(bytes)));
 #ifdef __linux__
-    // Whole pages only: what lies behind belongs to others.
-    if (bytes >= 2 * huge_page) madvise(memory, bytes / huge_page * huge_page, MADV_HUGEPAGE);
+    if (in_huge_pages(bytes)) madvise(memory, whole, MADV_HUGEPAGE);
 #endif
     return memory;
 }

@@ -342,23 +342,25 @@ TEST_CASE("nodes are nearly full: the binary tree is folded in the cheapest way"
 }
 
 TEST_CASE("weights of the fold: a subtree of two leaves takes two places or one node") {
-    const auto leaf = [](float size) {
-        BinaryNode node{{vec3(0), vec3(size)}};
-        node.count = 1;
-        node.cost.fill(half_area(node.box));
-        return node;
-    };
-    const BinaryNode small = leaf(1), large = leaf(2); // half areas 3 and 12
-    BinaryNode parent{{vec3(0), vec3(3)}};             // 27
-    weigh(parent, small, large);
+    const auto weight = [](float area) { return Weight{row(area), Mask{}}; };
+    const Weight small = weight(3), large = weight(12); // leaves
+    BinaryNode node{{vec3(0), vec3(3)}};                // 27
+    const Weight parent = weigh(node, small, large);
     CHECK(parent.cost[0] == 3 + 12 + 27);
-    for (std::size_t places = 2; places <= 7; ++places) CHECK(parent.cost[places - 1] == 3 + 12);
-    CHECK(parent.share[1] == 1);
-    BinaryNode above{{vec3(0), vec3(4)}}; // 48
-    weigh(above, parent, small);
+    CHECK(node.nodes == 1);
+    for (int places = 2; places <= 7; ++places) {
+        CHECK(parent.cost[places - 1] == 3 + 12);
+        CHECK_MESSAGE(parent.nodes[places - 1] == 0, "both leaves find room in the node above");
+    }
+    CHECK(node.share[1] == 1);
+    BinaryNode node_above{{vec3(0), vec3(4)}}; // 48
+    const Weight above = weigh(node_above, parent, small);
     CHECK(above.cost[0] == 3 + 12 + 3 + 48);
+    CHECK(above.nodes[0] == 1);
     CHECK_MESSAGE(above.cost[1] == 3 + 12 + 27 + 3, "in two places one of them must be a node of its own");
+    CHECK(above.nodes[1] == 1);
     CHECK(above.cost[2] == 3 + 12 + 3);
+    CHECK(above.nodes[2] == 0);
 }
 
 TEST_CASE("the wide tree finds what asking every shape finds") {

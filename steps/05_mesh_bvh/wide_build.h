@@ -2,388 +2,232 @@
 // the binary tree into nodes of eight children in the way that costs a ray least.
 #pragma once
 
-#include "05_mesh_bvh/box.h"
 #include "05_mesh_bvh/wide_bvh.h"
+#include "05_mesh_bvh/wide_cut.h"
 #include "common/parallel.h"
 
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <list>
+#include <new>
 #include <span>
 #include <vector>
 
 namespace rt {
 
-using Four = float __attribute__((vector_size(16)));
-using FourInts = std::int32_t __attribute__((vector_size(16)));
-
-inline Four least(Four a, Four b) {
-    return a < b ? a : b;
-}
-inline Four greatest(Four a, Four b) {
-    return a > b ? a : b;
-}
-
-/// A box as one register for each end. The fourth lane counts for nothing.
-struct FourBox {
-    Four low = Four{} + infinity;
-    Four high = Four{} - infinity;
-};
-
-inline void grow(FourBox& box, const FourBox& other) {
-    box.low = least(box.low, other.low);
-    box.high = greatest(box.high, other.high);
-}
-
-inline float half_area(const FourBox& box) {
-    const Four size = greatest(box.high - box.low, Four{});
-    return size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
-}
-
-/// A shape on its way down the tree: its box, and in the fourth lane of `low` its number, dressed as an
-/// ordinary float so that it can be computed with at no cost, and no sense.
-struct Fragment {
-    FourBox box;
-};
-
-inline Fragment fragment(const Box& box, std::uint32_t shape) {
-    const float number = std::bit_cast<float>(shape | 0x40000000);
-    return {{Four{box.low.x, box.low.y, box.low.z, number}, Four{box.high.x, box.high.y, box.high.z, 0}}};
-}
-
-inline std::uint32_t shape_of(const Fragment& fragment) {
-    return std::bit_cast<std::uint32_t>(fragment.box.low[3]) & 0x3fffffff;
-}
-
-/// Twice the middle of the box: as good for telling left from right.
-inline Four middle(const Fragment& fragment) {
-    return fragment.box.low + fragment.box.high;
-}
-
-/// The fragments begin to end - 1, the box of all, and the box of their middles.
-struct Range {
-    std::size_t begin = 0, end = 0;
-    FourBox box, middles;
-
-    std::size_t count() const { return end - begin; }
-};
-
-/// `count` equal bins along each axis, over the box of the middles.
-struct Binning {
-    Four low, per_width;
-    int last;
-
-    Binning(const FourBox& middles, int count) : low(middles.low), last(count - 1) {
-        const Four size = middles.high - middles.low;
-        per_width = size > 0 ? (float(count) * (1 - 0x1p-20f)) / size : Four{};
-    }
-    /// The bin on each axis; the comparisons also catch what is not a number, in a box without end.
-    FourInts operator()(Four place) const {
-        const FourInts bin = __builtin_convertvector((place - low) * per_width, FourInts);
-        const FourInts highest = FourInts{} + last;
-        return bin < 0 ? FourInts{} : bin > highest ? highest : bin;
-    }
-};
-
-/// Fragments left of bin `bin` along `axis` go left. Without an axis no cut tells them apart.
-struct WideCut {
-    int axis = -1;
-    int bin = 0;
-    float cost = infinity;
-    FourBox left, right;
-};
-
-/// How many blocks so many shapes fill: what a leaf costs, however full its last block is.
-inline float blocks_of(std::size_t shapes) {
-    return float((shapes + lanes - 1) / lanes);
-}
-
-template <int count>
-struct Bins {
-    FourBox boxes[3][count];
-    std::uint32_t counts[3][count] = {};
-
-    void add(const Fragment& fragment, FourInts bin) {
-        for (int axis = 0; axis < 3; ++axis) {
-            grow(boxes[axis][bin[axis]], fragment.box);
-            ++counts[axis][bin[axis]];
-        }
-    }
-
-    void add(const Bins& other) {
-        for (int axis = 0; axis < 3; ++axis) {
-            for (int bin = 0; bin < count; ++bin) {
-                grow(boxes[axis][bin], other.boxes[axis][bin]);
-                counts[axis][bin] += other.counts[axis][bin];
-            }
-        }
-    }
-
-    /// Sweeps along the axis from both ends; `best` becomes the cheapest cut if that is cheaper.
-    void sweep(int axis, std::size_t total, WideCut& best) const {
-        std::array<FourBox, count> right;
-        right[count - 1] = boxes[axis][count - 1];
-        for (std::size_t i = count - 1; i > 1; --i) {
-            right[i - 1] = right[i];
-            grow(right[i - 1], boxes[axis][i - 1]);
-        }
-        FourBox left;
-        std::size_t shapes = 0;
-        for (std::size_t i = 1; i < count; ++i) {
-            grow(left, boxes[axis][i - 1]);
-            shapes += counts[axis][i - 1];
-            if (shapes == 0 || shapes == total) continue;
-            const float cost =
-                half_area(left) * blocks_of(shapes) + half_area(right[i]) * blocks_of(total - shapes);
-            if (cost < best.cost) best = {axis, int(i), cost, left, right[i]};
-        }
-    }
-};
-
-/// Of so many fragments two threads make short work. What they find does not depend on the order.
-inline constexpr std::size_t many_fragments = 1 << 16;
-
-template <int count>
-Bins<count> fill_bins(std::span<const Fragment> fragments, const Binning& binning) {
-    Bins<count> filled;
-    if (fragments.size() < many_fragments) {
-        for (const Fragment& fragment : fragments) filled.add(fragment, binning(middle(fragment)));
-        return filled;
-    }
-    const std::size_t half = fragments.size() / 2;
-    Bins<count> others;
-    both([&] { filled = fill_bins<count>(fragments.first(half), binning); },
-         [&] { others = fill_bins<count>(fragments.subspan(half), binning); });
-    filled.add(others);
-    return filled;
-}
-
-template <int count>
-WideCut best_cut(std::span<const Fragment> fragments, const Binning& binning) {
-    const Bins<count> filled = fill_bins<count>(fragments, binning);
-    WideCut best;
-    for (int axis = 0; axis < 3; ++axis)
-        if (binning.per_width[axis] > 0) filled.sweep(axis, fragments.size(), best);
-    return best;
-}
-
-/// A node of the binary tree, and what folding it into wide nodes would cost. A leaf has no children.
-struct BinaryNode {
+/// A node of the binary tree. A leaf has no children. If it becomes a child of a wide node, it and all below
+/// it become `nodes` wide nodes and `leaves` blocks.
+struct alignas(CacheLine) BinaryNode {
     Box box;
-    std::uint32_t left = 0, right = 0;  ///< numbers of nodes
+    BinaryNode* children = nullptr;     ///< two, side by side
     std::uint32_t first = 0, count = 0; ///< a leaf's place in the order of the shapes
-    std::array<float, 7> cost{};        ///< cost[k - 1]: if it may take k of the eight places of a node above
-    std::array<std::uint8_t, 7> share{}; ///< how many of these go to the left child; 0: as with k - 1
+    std::uint32_t nodes = 0, leaves = 1;
+    std::array<std::uint8_t, 7> share{}; ///< how many of k places go to the left child; 0: as with k - 1
 };
+
+/// In lane k - 1: what folding a subtree costs if it may take k of the eight places of a node above, and how
+/// many wide nodes it becomes. Nothing takes all eight.
+struct Weight {
+    Row cost;
+    Mask nodes;
+};
+
+/// What stands `count` lanes before the second row.
+template <typename Lanes>
+Lanes before(const std::array<Lanes, 2>& rows, int count) {
+    Lanes moved;
+    std::memcpy(&moved, reinterpret_cast<const float*>(rows.data()) + lanes - count, sizeof moved);
+    return moved;
+}
 
 /// Ylitie, Karras and Laine 2017, section 3.2 ("Efficient Incoherent Ray Traversal on GPUs Through Compressed
 /// Wide BVHs"): of all ways to fold the tree, the least sum of areas, since a ray visits a node with a chance
 /// in proportion to its area. With k places a subtree shares them between its children, or takes one as a
-/// node of its own with eight places below.
-inline void weigh(BinaryNode& node, const BinaryNode& left, const BinaryNode& right) {
-    const auto shared = [&](std::size_t places) {
-        std::pair<float, std::uint8_t> best{infinity, std::uint8_t(1)}; // which stays if all areas overflow
-        for (std::size_t k = 1; k < places; ++k) {
-            const float cost = left.cost[k - 1] + right.cost[places - k - 1];
-            if (cost < best.first) best = {cost, std::uint8_t(k)};
-        }
-        return best;
-    };
-    std::tie(node.cost[0], node.share[0]) = shared(lanes);
-    node.cost[0] += half_area(node.box);
-    for (std::size_t places = 2; places <= 7; ++places) {
-        const auto [cost, share] = shared(places);
-        const bool better = cost < node.cost[places - 2];
-        node.cost[places - 1] = better ? cost : node.cost[places - 2];
-        node.share[places - 1] = better ? share : std::uint8_t(0);
+/// node of its own with eight places below. All k at once, as the sharing is the same for each.
+inline Weight weigh(BinaryNode& node, const Weight& left, const Weight& right) {
+    const std::array<Row, 2> right_cost{row(infinity), right.cost};
+    const std::array<Mask, 2> right_nodes{Mask{}, right.nodes};
+    Row cost = row(infinity); // of sharing; this stays, with one place for the left, if all areas overflow
+    Mask nodes = left.nodes[0] + before(right_nodes, 1), share = Mask{} + 1;
+    for (int places = 1; places < lanes; ++places) { // for the left
+        const Row shared = left.cost[places - 1] + before(right_cost, places);
+        const Mask better = shared < cost;
+        cost = better ? shared : cost;
+        nodes = better ? left.nodes[places - 1] + before(right_nodes, places) : nodes;
+        share = better ? Mask{} + places : share;
     }
+    Weight own{row(cost[lanes - 1] + half_area(node.box)), Mask{} + nodes[lanes - 1] + 1};
+    node.nodes = std::uint32_t(own.nodes[0]);
+    node.share[0] = std::uint8_t(share[lanes - 1]);
+    for (int k = 1; k < lanes - 1; ++k) {
+        const bool better = cost[k] < own.cost[k - 1];
+        own.cost[k] = better ? cost[k] : own.cost[k - 1];
+        own.nodes[k] = better ? nodes[k] : own.nodes[k - 1];
+        node.share[std::size_t(k)] = better ? std::uint8_t(share[k]) : std::uint8_t(0);
+    }
+    return own;
 }
+
+/// Room for the nodes of a subtree: its share of one array and, where a tree is a bad one, more.
+struct Shelf {
+    std::span<CacheLine> free;
+    std::list<BigVector<CacheLine>> more;
+
+    BinaryNode* two_nodes() {
+        static_assert(sizeof(BinaryNode) == sizeof(CacheLine));
+        if (free.size() < 2) free = more.emplace_back(1024);
+        CacheLine* const memory = free.data();
+        free = free.subspan(2);
+        new (memory + 1) BinaryNode;
+        return new (memory) BinaryNode;
+    }
+    /// Gives away `part` in `all` of what is free.
+    Shelf split(std::size_t part, std::size_t all) {
+        const std::size_t kept = free.size() - free.size() * part / all;
+        Shelf other{free.subspan(kept), {}};
+        free = free.first(kept);
+        return other;
+    }
+};
 
 /// Makes the binary tree. The fragments move from one array to the other at each cut; `order` gets their
 /// numbers when they arrive in a leaf.
 struct BinaryBuilder {
-    std::array<BigVector<Fragment>, 2> fragments;
-    BigVector<std::uint32_t> order;
+    BigVector<std::uint32_t>& order;
+    std::array<BigVector<Fragment>, 2> fragments{BigVector<Fragment>(order.size()),
+                                                 BigVector<Fragment>(order.size())};
 
-    /// The fragments begin to end - 1 of the first array.
-    Range range_of(std::size_t begin, std::size_t end) const {
-        Range range{begin, end, {}, {}};
-        if (range.count() < many_fragments) {
-            for (std::size_t i = begin; i < end; ++i) add(range, fragments[0][i]);
-            return range;
+    /// Makes a fragment of each shape; answers the range of all.
+    template <typename BoundsOf>
+    Range fill(const BoundsOf& bounds_of) {
+        const Parts parts{0, order.size()};
+        std::vector<Range> ranges(parts.count());
+        parts.each([&](std::size_t part, std::size_t begin, std::size_t end) {
+            Range range;
+            for (std::size_t i = begin; i < end; ++i)
+                add(range, fragments[0][i] = fragment(bounds_of(std::uint32_t(i)), std::uint32_t(i)));
+            ranges[part] = range;
+        });
+        Range all{0, order.size(), {}, {}};
+        for (const Range& range : ranges) {
+            grow(all.box, range.box);
+            grow(all.middles, range.middles);
         }
-        Range others;
-        both([&] { range = range_of(begin, begin + (end - begin) / 2); },
-             [&] { others = range_of(begin + (end - begin) / 2, end); });
-        grow(range.box, others.box);
-        grow(range.middles, others.middles);
-        range.end = end;
-        return range;
-    }
-    static void add(Range& range, const Fragment& fragment) {
-        grow(range.box, fragment.box);
-        grow(range.middles, {middle(fragment), middle(fragment)});
+        return all;
     }
 
-    /// Cuts the range, which lies in fragments[side], into two in the other array.
-    std::array<Range, 2> cut(const Range& range, int side, bool halve) {
+    Weight leaf(BinaryNode& node, const Range& range, const Fragment* from) {
+        for (std::size_t i = range.begin; i < range.end; ++i) order[i] = shape_of(from[i]);
+        node.first = std::uint32_t(range.begin);
+        node.count = std::uint32_t(range.count());
+        return {row(half_area(node.box)), Mask{}};
+    }
+
+    /// Makes `node` the tree of the range, which lies in fragments[side].
+    Weight build(BinaryNode& node, const Range& range, int side, int depth, Shelf& shelf) {
+        node.box = {vec3(range.box.low[0], range.box.low[1], range.box.low[2]),
+                    vec3(range.box.high[0], range.box.high[1], range.box.high[2])};
         const Fragment* const from = fragments[std::size_t(side)].data();
         Fragment* const to = fragments[std::size_t(1 - side)].data();
-        const bool few = range.count() < 64; // for which half the bins do as well
-        const Binning binning(range.middles, few ? 8 : 16);
-        const std::span<const Fragment> all{from + range.begin, range.count()};
-        const WideCut best = halve ? WideCut{} : few ? best_cut<8>(all, binning) : best_cut<16>(all, binning);
-        if (best.axis < 0) return halves(range, from, to);
-        std::size_t low = range.begin, high = range.end;
-        FourBox left_middles, right_middles;
-        for (std::size_t i = range.begin; i < range.end; ++i) {
-            const Fragment fragment = from[i];
-            const Four place = middle(fragment);
-            const bool left = binning(place)[best.axis] < best.bin;
-            to[low] = fragment; // to both sides, and only one moves on: no branch to guess
-            to[high - 1] = fragment;
-            low += left;
-            high -= !left;
-            const FourInts goes_left = FourInts{} - int(left);
-            left_middles.low = least(goes_left ? place : left_middles.low, left_middles.low);
-            left_middles.high = greatest(goes_left ? place : left_middles.high, left_middles.high);
-            right_middles.low = least(goes_left ? right_middles.low : place, right_middles.low);
-            right_middles.high = greatest(goes_left ? right_middles.high : place, right_middles.high);
+        if (range.count() <= lanes) return leaf(node, range, from);
+        node.children = shelf.two_nodes();
+        const auto ranges = depth >= 48          ? halves(range, from, to)
+                            : range.count() < 64 ? cut<8>(range, from, to) // for few half the bins do as well
+                                                 : cut<16>(range, from, to);
+        std::array<Weight, 2> weights;
+        const auto build_child = [&](std::size_t i, Shelf& its) {
+            weights[i] = build(node.children[i], ranges[i], 1 - side, depth + 1, its);
+        };
+        if (range.count() < 1024) { // a matter of 100 microseconds, too little to share
+            build_child(0, shelf);
+            build_child(1, shelf);
+        } else {
+            Shelf other = shelf.split(ranges[1].count(), range.count());
+            both([&] { build_child(0, shelf); }, [&] { build_child(1, other); });
+            shelf.more.splice(shelf.more.end(), other.more);
         }
-        return {Range{range.begin, low, best.left, left_middles},
-                Range{low, range.end, best.right, right_middles}};
-    }
-
-    /// The first half and the rest, as they lie.
-    static std::array<Range, 2> halves(const Range& range, const Fragment* from, Fragment* to) {
-        const std::size_t half = range.begin + range.count() / 2;
-        std::array<Range, 2> parts{Range{range.begin, half, {}, {}}, Range{half, range.end, {}, {}}};
-        for (Range& part : parts)
-            for (std::size_t i = part.begin; i < part.end; ++i) add(part, to[i] = from[i]);
-        return parts;
-    }
-
-    /// Appends the tree of the range to `nodes`.
-    void build(BigVector<BinaryNode>& nodes, const Range& range, int side, int depth) {
-        const std::size_t own = nodes.size();
-        BinaryNode node{{vec3(range.box.low[0], range.box.low[1], range.box.low[2]),
-                         vec3(range.box.high[0], range.box.high[1], range.box.high[2])}};
-        if (range.count() <= lanes) {
-            for (std::size_t i = range.begin; i < range.end; ++i)
-                order[i] = shape_of(fragments[std::size_t(side)][i]);
-            node.first = std::uint32_t(range.begin);
-            node.count = std::uint32_t(range.count());
-            node.cost.fill(half_area(node.box));
-            nodes.push_back(node);
-            return;
-        }
-        nodes.push_back(node);
-        const auto [left, right] = cut(range, side, depth >= 48);
-        node.left = std::uint32_t(nodes.size());
-        node.right = build_both(nodes, left, right, 1 - side, depth + 1);
-        weigh(node, nodes[node.left], nodes[node.right]);
-        nodes[own] = node;
-    }
-
-    /// Appends both trees, large ones at the same time, and answers the number of the right one's root.
-    std::uint32_t build_both(BigVector<BinaryNode>& nodes, const Range& left, const Range& right, int side,
-                             int depth) {
-        if (left.count() + right.count() < std::max<std::size_t>(order.size() / 16, 16384)) {
-            build(nodes, left, side, depth);
-            const auto root = std::uint32_t(nodes.size());
-            build(nodes, right, side, depth);
-            return root;
-        }
-        BigVector<BinaryNode> others;
-        both([&] { build(nodes, left, side, depth); }, [&] { build(others, right, side, depth); });
-        const auto root = std::uint32_t(nodes.size());
-        for (BinaryNode& node : others) {
-            if (node.count == 0) {
-                node.left += root;
-                node.right += root;
-            }
-        }
-        nodes.insert(nodes.end(), others.begin(), others.end());
-        return root;
+        node.leaves = node.children[0].leaves + node.children[1].leaves;
+        return weigh(node, weights[0], weights[1]);
     }
 };
 
-/// Folds a binary tree into wide nodes.
+/// The binary nodes that become children of a wide one. Small boxes first: of two that a shadow ray enters,
+/// the smaller one is likelier to be full.
+struct Children {
+    std::array<const BinaryNode*, lanes> node;
+    std::array<float, lanes> size;
+    std::size_t count = 0;
+
+    explicit Children(const BinaryNode& parent) { share(parent, lanes, parent.share[0]); }
+
+    /// Gives `left_places` of so many places to the left child and what is below it, the others to the right.
+    void share(const BinaryNode& parent, std::size_t places, std::size_t left_places) {
+        fill(parent.children[0], left_places);
+        fill(parent.children[1], places - left_places);
+    }
+    void fill(const BinaryNode& below, std::size_t places) {
+        while (places > 1 && below.share[places - 1] == 0) --places;
+        if (places == 1 || below.count > 0) return insert(below);
+        share(below, places, below.share[places - 1]);
+    }
+    void insert(const BinaryNode& child) {
+        const float child_size = half_area(child.box);
+        std::size_t place = count++;
+        for (; place > 0 && size[place - 1] > child_size; --place) {
+            node[place] = node[place - 1];
+            size[place] = size[place - 1];
+        }
+        node[place] = &child;
+        size[place] = child_size;
+    }
+};
+
+/// A wide node with the boxes of its children.
+inline WideNode node_around(const Children& children) {
+    WideNode wide{};
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+        const Box box = lane < children.count ? children.node[lane]->box : Box{};
+        for (int axis = 0; axis < 3; ++axis) {
+            wide.planes[axis][0][lane] = box.low[axis];
+            wide.planes[axis][1][lane] = box.high[axis];
+        }
+    }
+    return wide;
+}
+
+/// Folds the binary tree into the wide one: every node is followed by its children.
+template <typename Block, typename PutInto>
 struct Folding {
-    const BigVector<BinaryNode>& binary;
-
-    float size(std::uint32_t number) const { return half_area(binary[number].box); }
-
-    /// The binary nodes that become children of a wide one. Small boxes first: of two that a shadow ray
-    /// enters, the smaller one is likelier to be full.
-    struct Children {
-        std::array<std::uint32_t, lanes> number{};
-        std::size_t count = 0;
-    };
-    void insert(std::uint32_t number, Children& children) const {
-        std::size_t place = children.count++;
-        for (; place > 0 && size(children.number[place - 1]) > size(number); --place)
-            children.number[place] = children.number[place - 1];
-        children.number[place] = number;
-    }
-
-    /// Shares `places` places between binary node `number` and what is below it.
-    void share(std::uint32_t number, std::size_t places, Children& children) const {
-        const BinaryNode& node = binary[number];
-        while (places > 1 && node.share[places - 1] == 0) --places;
-        if (places == 1 || node.count > 0) return insert(number, children);
-        share(node.left, node.share[places - 1], children);
-        share(node.right, places - node.share[places - 1], children);
-    }
-    Children children_of(const BinaryNode& node) const {
-        Children children;
-        share(node.left, node.share[0], children);
-        share(node.right, lanes - node.share[0], children);
-        return children;
-    }
-
-    /// How many wide nodes binary node `number` and all below it become.
-    std::size_t count_nodes(std::uint32_t number) const {
-        if (binary[number].count > 0) return 0;
-        const Children children = children_of(binary[number]);
-        std::size_t count = 1;
-        for (std::size_t i = 0; i < children.count; ++i) count += count_nodes(children.number[i]);
-        return count;
-    }
-};
-
-/// Lays out the wide tree: every node is followed by its children.
-template <typename Block>
-struct Layout {
-    struct Leaf {
-        std::uint32_t line;   ///< where its block is to be
-        std::uint32_t number; ///< of the binary leaf
-    };
-    const Folding& folding;
+    const BigVector<std::uint32_t>& order;
     BigVector<CacheLine>& lines;
-    std::vector<Leaf> leaves;
-    std::uint32_t next = 0; ///< the first line that is free
+    const PutInto& put_into;
 
-    /// Answers what a WideNode's `child` says of binary node `number`.
-    std::uint32_t place(std::uint32_t number) {
-        const std::uint32_t line = next;
-        if (folding.binary[number].count > 0) {
-            leaves.push_back({line, number});
-            next += std::uint32_t(sizeof(Block) / sizeof(CacheLine));
-            return line | block_bit;
+    static std::size_t lines_of(const BinaryNode& node) {
+        return (node.nodes * sizeof(WideNode) + node.leaves * sizeof(Block)) / sizeof(CacheLine);
+    }
+
+    /// Writes the tree below `node` from `line` on; answers what a WideNode's `child` says of it.
+    std::uint32_t place(const BinaryNode& node, std::size_t line) const {
+        if (node.count > 0) {
+            Block& block = *new (&lines[line]) Block{};
+            for (std::uint32_t k = 0; k < node.count; ++k) put_into(block, int(k), order[node.first + k]);
+            return std::uint32_t(line) | block_bit;
         }
-        const auto children = folding.children_of(folding.binary[number]);
-        WideNode& node = *new (&lines[line]) WideNode;
-        next += std::uint32_t(sizeof(WideNode) / sizeof(CacheLine));
-        for (std::size_t lane = 0; lane < lanes; ++lane) {
-            const Box box = lane < children.count ? folding.binary[children.number[lane]].box : Box{};
-            for (int axis = 0; axis < 3; ++axis) {
-                node.planes[axis][0][lane] = box.low[axis];
-                node.planes[axis][1][lane] = box.high[axis];
-            }
-            node.child[lane] = lane < children.count ? place(children.number[lane]) : 0;
-        }
-        return line;
+        const Children children(node);
+        WideNode& wide = *new (&lines[line]) WideNode(node_around(children));
+        std::array<std::size_t, lanes + 1> begin; // of each child's lines
+        begin[0] = line + sizeof(WideNode) / sizeof(CacheLine);
+        for (std::size_t i = 0; i < children.count; ++i)
+            begin[i + 1] = begin[i] + lines_of(*children.node[i]);
+        const auto place_some = [&](std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last; ++i) wide.child[i] = place(*children.node[i], begin[i]);
+        };
+        if (node.leaves < 128)
+            place_some(0, children.count);
+        else
+            in_ranges(children.count, 1, place_some);
+        return std::uint32_t(line);
     }
 };
 
@@ -394,34 +238,19 @@ template <typename Block, typename BoundsOf, typename PutInto>
 WideBvh<Block> build_wide_bvh(std::size_t count, const BoundsOf& bounds_of, const PutInto& put_into) {
     WideBvh<Block> bvh;
     if (count == 0) return bvh;
-    BigVector<BinaryNode> binary;
-    binary.reserve(count / 3 + 1); // a leaf holds six shapes or more, as a rule
-    BigVector<std::uint32_t> order;
+    BinaryNode root;
+    BigVector<CacheLine> nodes(count / 2); // more than enough: a leaf holds six shapes or more, as a rule
+    Shelf shelf{nodes, {}};
+    BigVector<std::uint32_t> order(count);
     {
-        BinaryBuilder builder;
-        for (auto& fragments : builder.fragments) fragments.resize(count);
-        builder.order.resize(count);
-        in_ranges(count, 32768, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i)
-                builder.fragments[0][i] = fragment(bounds_of(std::uint32_t(i)), std::uint32_t(i));
-        });
-        builder.build(binary, builder.range_of(0, count), 0, 0);
-        order = std::move(builder.order);
+        BinaryBuilder builder{order};
+        builder.build(root, builder.fill(bounds_of), 0, 0, shelf);
     }
-    const Folding folding{binary};
-    bvh.blocks =
-        std::size_t(std::ranges::count_if(binary, [](const BinaryNode& node) { return node.count > 0; }));
-    bvh.nodes = folding.count_nodes(0);
-    bvh.lines.resize((bvh.nodes * sizeof(WideNode) + bvh.blocks * sizeof(Block)) / sizeof(CacheLine));
-    Layout<Block> layout{folding, bvh.lines, {}};
-    bvh.root = layout.place(0);
-    in_ranges(layout.leaves.size(), 4096, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const BinaryNode& leaf = binary[layout.leaves[i].number];
-            Block& block = *new (&bvh.lines[layout.leaves[i].line]) Block{};
-            for (std::uint32_t k = 0; k < leaf.count; ++k) put_into(block, int(k), order[leaf.first + k]);
-        }
-    });
+    const Folding<Block, PutInto> folding{order, bvh.lines, put_into};
+    bvh.nodes = root.nodes;
+    bvh.blocks = root.leaves;
+    bvh.lines.resize(folding.lines_of(root));
+    bvh.root = folding.place(root, 0);
     return bvh;
 }
 
