@@ -1,0 +1,245 @@
+// One question after the other: does it compile, do the checks hold, is the picture right, what is likely wrong, what
+// is next.
+#include "tools/tutor/check.h"
+
+#include "common/error.h"
+#include "common/file_bytes.h"
+#include "tools/tutor/catalogue.h"
+#include "tools/tutor/check_picture.h"
+#include "tools/tutor/check_run.h"
+#include "tools/tutor/compile.h"
+#include "tools/tutor/diagnosis.h"
+#include "tools/tutor/hints.h"
+#include "tools/tutor/report.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace rt {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// All that one run finds out.
+struct Findings {
+    std::vector<Exercise> exercises;
+    std::vector<std::string> untouched; ///< exercises that still are as the stub has them
+    std::vector<CheckResult> checks;
+    std::vector<std::string> earlier; ///< a line a step
+    bool earlier_hold = true;
+    PictureFinding picture;
+    Diagnosis diagnosis;
+    std::optional<Mistake> mistake; ///< the likely one
+    std::string next;
+};
+
+std::size_t failures(const std::vector<CheckResult>& checks) {
+    return std::size_t(std::ranges::count_if(checks, has_failed));
+}
+
+std::string number_of(const std::string& step) {
+    return step.substr(0, 2);
+}
+
+std::string held(const std::vector<CheckResult>& checks) {
+    return std::to_string(checks.size() - failures(checks)) + " of " + std::to_string(checks.size()) + " checks";
+}
+
+/// Exercises that the learner has begun to write, but left as they were.
+std::vector<std::string> untouched_exercises(const Project& project, const std::string& step,
+                                             const std::vector<Exercise>& exercises) {
+    std::vector<std::string> names;
+    for (const Exercise& exercise : exercises) {
+        const fs::path own = project.workshop / step / exercise.file;
+        if (!fs::is_regular_file(own)) continue;
+        const std::string reference = read_file((steps_folder(project) / step / exercise.file).string());
+        const std::string stub = cut(reference, find_exercises(reference, exercise.file));
+        if (is_untouched(exercise, read_file(own.string()), stub)) names.push_back(exercise.name);
+    }
+    return names;
+}
+
+/// The exercise that the line of the learner's file belongs to; nothing where that is not one.
+const Exercise* exercise_at(const Project& project, const std::vector<Exercise>& exercises,
+                            const CompileError& error) {
+    const Exercise* nearest = nullptr;
+    int begin = 0;
+    for (const Exercise& exercise : exercises) {
+        const fs::path own = project.workshop / exercise.step / exercise.file;
+        if (!error.file.ends_with(exercise.step + "/" + exercise.file) || !fs::is_regular_file(own)) continue;
+        const int line = place_of(exercise, read_file(own.string()));
+        if (line > error.line + 3 || line < begin) continue; // an error may be found before the gap itself
+        nearest = &exercise;
+        begin = line;
+    }
+    return nearest;
+}
+
+void say_compile_error(const Project& project, const std::vector<Exercise>& exercises, const Built& built,
+                       const std::string& step, std::ostream& out) {
+    if (!built.error) throw Error("the build failed, but not in a file of yours; it says: " + built.log);
+    const CompileError& error = *built.error;
+    out << "It does not compile yet. The first error:\n\n  " << shown(error.file, error.line) << "\n    "
+        << error.message << "\n";
+    if (const Exercise* exercise = exercise_at(project, exercises, error)) {
+        const Hints hints = read_hints(project.root, step, exercises);
+        out << "\n  " << exercise->name << ": " << exercise->task << "\n  " << hints.at(exercise->name)[0] << "\n";
+        out << "\nnext      ./learn hint " << number_of(step) << " " << exercise->name << "\n";
+    }
+}
+
+/// The checks of the steps before; what the learner wrote there counts here as well.
+void run_earlier(const Project& project, const CheckWish& wish, Findings& findings) {
+    for (const std::string& step : all_steps(project)) {
+        if (step >= wish.step) break;
+        const auto checks = run_all_checks(wish.build / "bin" / ("test_" + step), wish.build / "said.txt");
+        findings.earlier.push_back(step + ": " + held(checks));
+        findings.earlier_hold = findings.earlier_hold && failures(checks) == 0;
+    }
+}
+
+void find_mistake(const Project& project, const std::string& step, Findings& findings) {
+    findings.diagnosis = diagnose(read_signatures(project.root, step), findings.checks);
+    if (findings.diagnosis.ids.empty()) return;
+    for (const Mistake& mistake : read_catalogue(project.root, step))
+        if (mistake.id == findings.diagnosis.ids.front()) findings.mistake = mistake;
+}
+
+bool all_hold(const Findings& findings) {
+    return failures(findings.checks) == 0 && findings.earlier_hold && findings.picture.holds;
+}
+
+std::string next_step_after(const Project& project, const std::string& step) {
+    const std::vector<std::string> steps = all_steps(project);
+    const auto place = std::ranges::find(steps, step);
+    return place + 1 < steps.end() ? *(place + 1) : "";
+}
+
+std::string next_thing(const Project& project, const std::string& step, const Findings& findings) {
+    const std::string number = number_of(step);
+    if (own_files(project, step).empty()) return "./learn start " + number;
+    if (!findings.untouched.empty()) return "./learn hint " + number + " " + findings.untouched.front();
+    if (failures(findings.checks) > 0 || !findings.picture.holds) return "./learn hint " + number;
+    if (!findings.earlier_hold) return "./learn status";
+    const std::string following = next_step_after(project, step);
+    return following.empty() ? "./learn run " + number : "./learn start " + number_of(following);
+}
+
+// --- one screen -------------------------------------------------------------------------------------------------
+
+void say_failure(const CheckResult& check, std::ostream& out) {
+    out << "  red     " << check.name << "\n";
+    if (check.failures.empty()) return;
+    const Failure& failure = check.failures.front();
+    out << "            " << failure.values << "\n";
+    if (!failure.notes.empty()) out << "            " << failure.notes.front() << "\n";
+}
+
+void say_checks(const Project& project, const std::string& step, const Findings& findings, std::ostream& out) {
+    out << "checks    " << held(findings.checks) << " hold";
+    const std::size_t gaps = findings.untouched.size();
+    if (gaps > 0)
+        out << "; " << gaps << " of " << findings.exercises.size() << " functions still are as they were cut"
+            << (gaps == findings.exercises.size() ? ", so red is what they should be" : "");
+    out << "\n";
+    int said = 0;
+    for (const CheckResult& check : findings.checks)
+        if (has_failed(check) && said++ < 3) say_failure(check, out);
+    if (said > 3) out << "  red     and " << said - 3 << " more: the report has them\n";
+    for (const std::string& line : findings.earlier) out << "earlier   " << line << "\n";
+    if (own_files(project, step).empty())
+        out << "          workshop/" << step << " holds no file of yours: this is the reference\n";
+}
+
+void say_mistake(const Findings& findings, std::ostream& out) {
+    if (failures(findings.checks) == 0 || findings.untouched.size() == findings.exercises.size()) return;
+    if (!findings.mistake) {
+        out << "likely    none of the mistakes that we know. Begin with the first red check: later ones may follow "
+               "from it.\n";
+        return;
+    }
+    const Mistake& mistake = *findings.mistake;
+    out << "likely    " << mistake.title << " (" << words(findings.diagnosis.confidence) << ")\n"
+        << "          " << mistake.why << "\n          " << mistake.fix << "\n";
+    if (findings.diagnosis.ids.size() > 1) {
+        out << "          or one that fails the same checks in the same way:";
+        for (std::size_t i = 1; i < findings.diagnosis.ids.size(); ++i) out << " " << findings.diagnosis.ids[i];
+        out << "\n";
+    }
+}
+
+// --- what stays -------------------------------------------------------------------------------------------------
+
+ReportCheck report_check(const CheckResult& check) {
+    ReportCheck shown{check.name, "ok", check.seconds, {}};
+    if (check.state == CheckState::failed) shown.state = "failed";
+    if (check.state == CheckState::skipped) shown.state = "skipped";
+    if (check.state == CheckState::unfinished) shown.state = "unfinished";
+    for (const Failure& failure : check.failures) {
+        shown.lines.push_back(failure.expression + ": " + failure.values);
+        shown.lines.insert(shown.lines.end(), failure.notes.begin(), failure.notes.end());
+    }
+    return shown;
+}
+
+fs::path write_report(const Project& project, const CheckWish& wish, const Findings& findings) {
+    Report report;
+    report.root = project.root;
+    report.step = wish.step;
+    report.question = question_of(project, wish.step);
+    for (const std::string& file : own_files(project, wish.step)) report.own_files.push_back(wish.step + "/" + file);
+    for (const CheckResult& check : findings.checks) report.checks.push_back(report_check(check));
+    report.earlier = findings.earlier;
+    fill(report, findings.picture);
+    if (findings.mistake) {
+        report.mistake_title = findings.mistake->title;
+        report.mistake_confidence = words(findings.diagnosis.confidence);
+        report.mistake_shows = findings.mistake->shows;
+        report.mistake_why = findings.mistake->why;
+        report.mistake_fix = findings.mistake->fix;
+    }
+    report.next = findings.next;
+    const fs::path folder = project.workshop / "report";
+    make_folder(folder);
+    const fs::path path = folder / (wish.step + ".html");
+    write_file(path.string(), report_html(report));
+    return path;
+}
+
+} // namespace
+
+int check_step(const Project& project, const CheckWish& wish, std::ostream& out) {
+    Findings findings;
+    findings.exercises = exercises_of(project, wish.step);
+    findings.untouched = untouched_exercises(project, wish.step, findings.exercises);
+    out << "Step " << number_of(wish.step) << ": " << question_of(project, wish.step) << "\n" << std::flush;
+
+    std::vector<std::string> targets{"test_" + wish.step};
+    if (wish.picture) targets.push_back(wish.step);
+    for (const std::string& step : all_steps(project))
+        if (step < wish.step) targets.push_back("test_" + step);
+    const Built built = build_targets(wish.build, targets, wish.build / "said.txt", "/workshop/");
+    if (!built.well) {
+        say_compile_error(project, findings.exercises, built, wish.step, out);
+        return 1;
+    }
+
+    findings.checks = run_all_checks(wish.build / "bin" / ("test_" + wish.step), wish.build / "said.txt");
+    run_earlier(project, wish, findings);
+    say_checks(project, wish.step, findings, out);
+    out << std::flush;
+    findings.picture = wish.picture ? judge_picture(project.root, wish.step, wish.build) : no_picture();
+    for (const std::string& line : findings.picture.lines) out << "picture   " << line << "\n";
+    find_mistake(project, wish.step, findings);
+    say_mistake(findings, out);
+    findings.next = next_thing(project, wish.step, findings);
+    const fs::path report = write_report(project, wish, findings);
+    write_check(project, wish.step,
+                {int(findings.checks.size() - failures(findings.checks)), int(failures(findings.checks)),
+                 findings.picture.verdict, fingerprint(project, wish.step)});
+    out << "next      " << findings.next << "\nreport    " << shown(report) << "\n";
+    return all_hold(findings) ? 0 : 1;
+}
+
+} // namespace rt

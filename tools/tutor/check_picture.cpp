@@ -1,0 +1,98 @@
+// Renders into the build's folder, so that a picture that the learner made before stays.
+#include "tools/tutor/check_picture.h"
+
+#include "common/error.h"
+#include "common/file_bytes.h"
+#include "common/image_file.h"
+#include "tools/tutor/process.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace rt {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int seconds_for_a_picture = 120;
+
+/// What assets/reference/NN_name.txt says after `key: `.
+std::string fact(const std::string& facts, const std::string& key) {
+    std::istringstream lines(facts);
+    for (std::string line; std::getline(lines, line);)
+        if (line.starts_with(key + ": ")) return line.substr(key.size() + 2);
+    return "";
+}
+
+std::vector<std::string> split(const std::string& words) {
+    std::istringstream stream(words);
+    std::vector<std::string> all;
+    for (std::string word; stream >> word;) all.push_back(word);
+    return all;
+}
+
+PictureFinding failed(std::string line) {
+    std::ranges::replace(line, '\n', ' ');
+    PictureFinding finding;
+    finding.holds = false;
+    finding.verdict = "failed";
+    finding.lines = {"none: " + line};
+    return finding;
+}
+
+} // namespace
+
+PictureFinding no_picture() {
+    PictureFinding finding;
+    finding.verdict = "none";
+    return finding;
+}
+
+PictureFinding judge_picture(const fs::path& root, const std::string& step, const fs::path& build) {
+    const fs::path references = root / "assets" / "reference", out = build / "checked";
+    const std::string facts = read_file((references / (step + ".txt")).string());
+    const fs::path variance = references / (step + ".variance.hdr");
+    fs::create_directories(out);
+    std::vector<std::string> command{(build / "bin" / step).string(), "--quiet", "--out", (out / step).string()};
+    if (fs::exists(variance)) command.insert(command.end(), {"--variance", (out / (step + ".variance.hdr")).string()});
+    for (const std::string& word : split(fact(facts, "test flags"))) command.push_back(word);
+    const fs::path said = build / "said.txt";
+    const Ended ended = run_process(command, said, {.seconds = seconds_for_a_picture});
+    if (ended.too_long)
+        return failed("the program was stopped after " + std::to_string(seconds_for_a_picture) + " s; does it end?");
+    if (ended.code >= 128) return failed("the program crashed");
+    if (ended.code != 0) return failed("the program says: " + read_file(said.string()));
+
+    Variances variances;
+    if (fs::exists(variance))
+        variances = {read_image((out / (step + ".variance.hdr")).string()), read_image(variance.string())};
+    PictureFinding finding;
+    finding.judgement = judge(read_stored((out / (step + ".hdr")).string()),
+                              read_stored((references / (step + ".hdr")).string()), variances);
+    finding.verdict = name_of(finding.judgement->finding);
+    finding.holds = finding.judgement->finding == Finding::same || finding.judgement->finding == Finding::noise;
+    finding.lines = finding.judgement->lines;
+    finding.mine = out / (step + ".png");
+    finding.reference = references / (step + ".png");
+    finding.map = out / (step + ".map.png");
+    write_image(finding.map.string(), error_map(*finding.judgement));
+    finding.settings = fact(facts, "width") + " x " + fact(facts, "height") + ", " +
+                       (fact(facts, "test flags").empty() ? "the program's own settings" : fact(facts, "test flags"));
+    return finding;
+}
+
+void fill(Report& report, const PictureFinding& finding) {
+    report.verdict = finding.verdict;
+    report.verdict_lines = finding.lines;
+    report.mine = finding.mine;
+    report.reference = finding.reference;
+    report.map = finding.map;
+    report.settings = finding.settings;
+    if (!finding.judgement) return;
+    report.flip_mean = finding.judgement->flip.mean;
+    report.flip_max = finding.judgement->flip.max;
+    if (finding.judgement->tiles) report.tiles_over_4 = finding.judgement->tiles->alarms;
+}
+
+} // namespace rt

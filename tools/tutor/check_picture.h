@@ -1,0 +1,33 @@
+// The picture that a step's program makes with the learner's files, against the reference.
+#pragma once
+
+#include "common/compare/judge.h"
+#include "tools/tutor/report.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rt {
+
+struct PictureFinding {
+    bool holds = true;
+    std::string verdict;            ///< same, noise, look, different; or none, failed
+    std::vector<std::string> lines; ///< for a person
+    std::optional<Judgement> judgement;
+    std::filesystem::path mine, reference, map; ///< PNG files
+    std::string settings;
+};
+
+/// Renders with the flags under which pictures of the step are compared, and judges. A program that crashes, does not
+/// end or complains is a finding too. Throws Error if there is no reference.
+PictureFinding judge_picture(const std::filesystem::path& root, const std::string& step,
+                             const std::filesystem::path& build);
+
+/// Nobody asked for one.
+PictureFinding no_picture();
+
+void fill(Report& report, const PictureFinding& finding);
+
+} // namespace rt
