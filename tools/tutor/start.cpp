@@ -41,7 +41,6 @@ Contents missing_stubs(const Project& project, const std::string& step,
 
 void write_stubs(const Project& project, const std::string& step, const Contents& stubs, std::ostream& out) {
     const fs::path folder = project.workshop / step;
-    make_folder(folder);
     for (const auto& [file, stub] : stubs) check_file_writable((folder / file).string());
     for (const auto& [file, stub] : stubs) {
         write_file((folder / file).string(), stub);
@@ -85,6 +84,7 @@ std::string chapter_of(const Project& project, const std::string& step) {
 void start_step(const Project& project, const std::string& step, std::ostream& out) {
     const std::vector<Exercise> exercises = exercises_of(project, step);
     const std::string number = step.substr(0, 2);
+    make_folder(project.workshop / step);
     out << "Step " << number << " asks: " << question_of(project, step) << "\n\n";
     write_stubs(project, step, missing_stubs(project, step, exercises, out), out);
     out << "\nWrite " << exercises.size() << " functions, best in this order:\n";

@@ -3,7 +3,9 @@
 
 #include "common/error.h"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <ctime>
 
 namespace rt {
@@ -32,6 +34,18 @@ fs::path free_place(const fs::path& folder, const std::string& file) {
     return place;
 }
 
+/// A path as a shell takes it for one word.
+std::string quoted(const fs::path& path) {
+    const std::string text = shown(path);
+    const bool plain = std::ranges::all_of(text, [](unsigned char c) {
+        return std::isalnum(c) || std::string("/._-").find(char(c)) != std::string::npos;
+    });
+    if (plain) return text;
+    std::string word = "'";
+    for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
+    return word + "'";
+}
+
 void put_aside(const Project& project, const std::string& step, const std::string& file, std::ostream& out) {
     const fs::path folder = project.workshop / ".backup" / step;
     make_folder(folder);
@@ -41,7 +55,7 @@ void put_aside(const Project& project, const std::string& step, const std::strin
     if (failure)
         throw Error("cannot move " + shown(from) + " to " + shown(to) + " (" + failure.message() + ")");
     out << "moved " << shown(from) << " to " << shown(to) << "\n"
-        << "  to get it back: mv " << shown(to) << " " << shown(from) << "\n";
+        << "  to get it back: mv " << quoted(to) << " " << quoted(from) << "\n";
 }
 
 } // namespace
