@@ -12,15 +12,8 @@
 namespace rt {
 namespace {
 
-constexpr int tile_side = 8;
-
 std::string size_of(const Image& image) {
     return std::to_string(image.width) + " x " + std::to_string(image.height);
-}
-
-void check_same_size(const Image& a, const Image& b) {
-    if (a.width != b.width || a.height != b.height)
-        throw Error("the pictures differ in size: " + size_of(a) + " and " + size_of(b));
 }
 
 /// Infinite where one of the two is not a number, so that it is never overlooked.
@@ -93,7 +86,17 @@ double variance_ratio(const std::vector<Tile>& tiles) {
                      ratios[ratios.size() / 2]); // inverts when the two change places
 }
 
-/// "brighter by 12 %", "darker by a factor of 3.14".
+} // namespace
+
+void check_same_size(const Image& a, const Image& b) {
+    if (a.width != b.width || a.height != b.height)
+        throw Error("the pictures differ in size: " + size_of(a) + " and " + size_of(b));
+}
+
+bool agrees(vec3 test, vec3 reference) {
+    return agree(distances(test, reference), reference);
+}
+
 std::string change_in_words(double test, double reference) {
     if (!std::isfinite(test)) return "not a number";
     std::ostringstream words;
@@ -110,7 +113,19 @@ std::string change_in_words(double test, double reference) {
     return words.str();
 }
 
-} // namespace
+double root_mean_square(const Image& test, const Image& reference) {
+    check_same_size(test, reference);
+    double sum = 0;
+    for (std::size_t i = 0; i < test.pixels.size(); ++i) {
+        const vec3 d = test.pixels[i] - reference.pixels[i];
+        sum += double(dot(d, d));
+    }
+    return test.pixels.empty() ? 0 : std::sqrt(sum / (3 * double(test.pixels.size())));
+}
+
+int allowed_alarms(int tiles) {
+    return std::max(1, int(limits.most_alarms * tiles));
+}
 
 Difference difference(const Image& test, const Image& reference) {
     check_same_size(test, reference);
@@ -146,16 +161,17 @@ TileDifference tile_difference(const Image& test, const Image& reference, const 
         for (int x = 0; x < test.width; x += tile_side)
             tiles.push_back(sum_tile(x, y, test, reference, test_variance, reference_variance));
     const double ratio = variance_ratio(tiles);
-    const int columns = (test.width + tile_side - 1) / tile_side;
     TileDifference result;
+    result.columns = (test.width + tile_side - 1) / tile_side;
     for (const Tile& tile : tiles) {
         const double z = tile.z(ratio);
         const int index = result.tiles++;
+        result.marks.push_back({z, tile.test / tile.pixels, tile.reference / tile.pixels});
         if (std::abs(z) > limits.alarm_z) ++result.alarms;
         if (std::abs(z) <= std::abs(result.largest_z)) continue;
         result.largest_z = z;
-        result.x = index % columns * tile_side;
-        result.y = index / columns * tile_side;
+        result.x = index % result.columns * tile_side;
+        result.y = index / result.columns * tile_side;
         result.test = tile.test / tile.pixels;
         result.reference = tile.reference / tile.pixels;
     }
@@ -180,7 +196,7 @@ Verdict verdict(const Difference& d) {
 }
 
 Verdict verdict(const TileDifference& d) {
-    const int allowed = std::max(1, int(limits.most_alarms * d.tiles));
+    const int allowed = allowed_alarms(d.tiles);
     const bool same = d.alarms <= allowed && std::abs(d.largest_z) <= limits.never_z;
     std::ostringstream words;
     words.precision(3);

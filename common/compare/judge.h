@@ -1,0 +1,46 @@
+// All that can be said about a picture and its reference: the verdict, where and how they differ, and why.
+#pragma once
+
+#include "common/compare/explain.h"
+#include "common/compare/flip.h"
+#include "common/compare/known.h"
+#include "common/compare/where.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rt {
+
+enum class Finding {
+    same,  ///< the same picture
+    noise, ///< the same up to noise
+    look,  ///< not the same, but so near that a person should look at the map
+    different
+};
+const char* name_of(Finding finding); ///< "same", "noise", "look", "different"
+
+struct Judgement {
+    Finding finding = Finding::different;
+    std::vector<std::string> lines; ///< what to tell a person, the verdict first
+    std::string explanation;        ///< as explain() says it
+    Flip flip;
+    double rmse = 0;                     ///< of linear light
+    std::optional<TileDifference> tiles; ///< where variances were given
+    Where where;
+    Nearest nearest;
+};
+
+/// Throws Error if the pictures, or a known one, differ in size or number of channels.
+Judgement judge(const StoredImage& test, const StoredImage& reference, const Variances& variances = {},
+                const std::vector<KnownPicture>& known = {});
+
+/// {"verdict", "explanation", "flip": {"mean", "max"}, "rmse", "tiles_over_4", "where", "nearest", "words"}, one
+/// line. tiles_over_4 is null where there are no variances, rmse where a pixel is not a number.
+std::string to_json(const Judgement& judgement);
+
+/// FLIP from black (no difference) to pale yellow (1); for noisy pictures the tiles' z, red where the test is too
+/// bright and blue where it is too dark. In linear light.
+Image error_map(const Judgement& judgement);
+
+} // namespace rt

@@ -1,0 +1,98 @@
+// What rounding and clipping leave open, and comparing with that in mind.
+#include "common/compare/stored.h"
+
+#include "common/error.h"
+#include "common/file_bytes.h"
+#include "common/image_file.h"
+
+#include <stb_image.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+namespace rt {
+namespace {
+
+bool is_hdr(const std::string& path) {
+    constexpr std::string_view ending = ".hdr";
+    return path.size() >= ending.size() &&
+           std::equal(ending.rbegin(), ending.rend(), path.rbegin(),
+                      [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
+}
+
+/// read_image() makes three channels of any number; here it matters how many there were.
+int channels_of(const std::string& path) {
+    const std::string bytes = read_file(path);
+    int width = 0, height = 0, channels = 0;
+    if (!stbi_info_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()), int(bytes.size()), &width,
+                               &height, &channels))
+        throw Error(path + ": is not a picture of a kind that is read here; save it as PNG again");
+    return channels;
+}
+
+float decoded(float srgb) {
+    return srgb <= 0.04045f ? srgb / 12.92f : std::pow((srgb + 0.055f) / 1.055f, 2.4f);
+}
+
+/// Half a step of the format on either side.
+void widen_hdr(vec3& low, vec3& high) {
+    int exponent = 0;
+    std::frexp(std::max({low.x, low.y, low.z}), &exponent);
+    const float half = std::ldexp(1.0f, exponent - 9);
+    low = max(low - half, vec3(0.0f));
+    high += half;
+}
+
+void widen_png(float& low, float& high) {
+    const float code = srgb_from_linear(low) * 255;
+    low = code < 0.5f ? 0 : decoded((code - 0.5f) / 255);
+    high = code > 254.5f ? infinity : decoded((code + 0.5f) / 255);
+}
+
+} // namespace
+
+vec3 srgb_encoded(vec3 linear) {
+    return {srgb_from_linear(linear.x), srgb_from_linear(linear.y), srgb_from_linear(linear.z)};
+}
+
+vec3 srgb_decoded(vec3 srgb) {
+    return {decoded(srgb.x), decoded(srgb.y), decoded(srgb.z)};
+}
+
+StoredImage read_stored(const std::string& path) {
+    if (is_hdr(path)) return {read_image(path), Storage::hdr, 3};
+    StoredImage stored{read_image(path), Storage::png, 3};
+    stored.channels = channels_of(path);
+    return stored;
+}
+
+Spans spans_of(const StoredImage& stored) {
+    Spans spans{stored.image, stored.image};
+    for (std::size_t i = 0; i < spans.low.pixels.size(); ++i) {
+        vec3 &low = spans.low.pixels[i], &high = spans.high.pixels[i];
+        if (stored.storage == Storage::hdr) widen_hdr(low, high);
+        if (stored.storage == Storage::png)
+            for (int channel = 0; channel < 3; ++channel) widen_png(low[channel], high[channel]);
+    }
+    return spans;
+}
+
+Difference gap(const Spans& test, const Spans& reference) {
+    check_same_size(test.low, reference.low);
+    Image a = test.low, b = reference.low;
+    for (std::size_t i = 0; i < a.pixels.size();
+         ++i) { // the same value where they overlap, else the near ends
+        const vec3 low = test.low.pixels[i], high = test.high.pixels[i];
+        b.pixels[i] = min(max(low, reference.low.pixels[i]), reference.high.pixels[i]);
+        a.pixels[i] = min(max(b.pixels[i], low), high);
+    }
+    return difference(a, b);
+}
+
+Difference stored_difference(const StoredImage& test, const StoredImage& reference) {
+    if (test.storage == reference.storage) return difference(test.image, reference.image);
+    return gap(spans_of(test), spans_of(reference));
+}
+
+} // namespace rt
