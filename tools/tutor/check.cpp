@@ -43,7 +43,8 @@ std::string number_of(const std::string& step) {
 }
 
 std::string held(const std::vector<CheckResult>& checks) {
-    return std::to_string(checks.size() - failures(checks)) + " of " + std::to_string(checks.size()) + " checks";
+    return std::to_string(checks.size() - failures(checks)) + " of " + std::to_string(checks.size()) +
+           " checks";
 }
 
 /// Exercises that the learner has begun to write, but left as they were.
@@ -84,7 +85,8 @@ void say_compile_error(const Project& project, const std::vector<Exercise>& exer
         << error.message << "\n";
     if (const Exercise* exercise = exercise_at(project, exercises, error)) {
         const Hints hints = read_hints(project.root, step, exercises);
-        out << "\n  " << exercise->name << ": " << exercise->task << "\n  " << hints.at(exercise->name)[0] << "\n";
+        out << "\n  " << exercise->name << ": " << exercise->task << "\n  " << hints.at(exercise->name)[0]
+            << "\n";
         out << "\nnext      ./learn hint " << number_of(step) << " " << exercise->name << "\n";
     }
 }
@@ -136,7 +138,8 @@ void say_failure(const CheckResult& check, std::ostream& out) {
     if (!failure.notes.empty()) out << "            " << failure.notes.front() << "\n";
 }
 
-void say_checks(const Project& project, const std::string& step, const Findings& findings, std::ostream& out) {
+void say_checks(const Project& project, const std::string& step, const Findings& findings,
+                std::ostream& out) {
     out << "checks    " << held(findings.checks) << " hold";
     const std::size_t gaps = findings.untouched.size();
     if (gaps > 0)
@@ -152,10 +155,17 @@ void say_checks(const Project& project, const std::string& step, const Findings&
         out << "          workshop/" << step << " holds no file of yours: this is the reference\n";
 }
 
+/// The first lines: the report has all of them.
+void say_picture(const PictureFinding& picture, std::ostream& out) {
+    for (std::size_t i = 0; i < picture.lines.size() && i < 3; ++i)
+        out << "picture   " << picture.lines[i] << "\n";
+}
+
 void say_mistake(const Findings& findings, std::ostream& out) {
     if (failures(findings.checks) == 0 || findings.untouched.size() == findings.exercises.size()) return;
     if (!findings.mistake) {
-        out << "likely    none of the mistakes that we know. Begin with the first red check: later ones may follow "
+        out << "likely    none of the mistakes that we know. Begin with the first red check: later ones may "
+               "follow "
                "from it.\n";
         return;
     }
@@ -164,7 +174,8 @@ void say_mistake(const Findings& findings, std::ostream& out) {
         << "          " << mistake.why << "\n          " << mistake.fix << "\n";
     if (findings.diagnosis.ids.size() > 1) {
         out << "          or one that fails the same checks in the same way:";
-        for (std::size_t i = 1; i < findings.diagnosis.ids.size(); ++i) out << " " << findings.diagnosis.ids[i];
+        for (std::size_t i = 1; i < findings.diagnosis.ids.size(); ++i)
+            out << " " << findings.diagnosis.ids[i];
         out << "\n";
     }
 }
@@ -188,7 +199,8 @@ fs::path write_report(const Project& project, const CheckWish& wish, const Findi
     report.root = project.root;
     report.step = wish.step;
     report.question = question_of(project, wish.step);
-    for (const std::string& file : own_files(project, wish.step)) report.own_files.push_back(wish.step + "/" + file);
+    for (const std::string& file : own_files(project, wish.step))
+        report.own_files.push_back(wish.step + "/" + file);
     for (const CheckResult& check : findings.checks) report.checks.push_back(report_check(check));
     report.earlier = findings.earlier;
     fill(report, findings.picture);
@@ -230,7 +242,7 @@ int check_step(const Project& project, const CheckWish& wish, std::ostream& out)
     say_checks(project, wish.step, findings, out);
     out << std::flush;
     findings.picture = wish.picture ? judge_picture(project.root, wish.step, wish.build) : no_picture();
-    for (const std::string& line : findings.picture.lines) out << "picture   " << line << "\n";
+    say_picture(findings.picture, out);
     find_mistake(project, wish.step, findings);
     say_mistake(findings, out);
     findings.next = next_thing(project, wish.step, findings);

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int seconds_for_a_picture = 120;
+constexpr int seconds_for_a_picture = 60;
 
 /// What assets/reference/NN_name.txt says after `key: `.
 std::string fact(const std::string& facts, const std::string& key) {
@@ -54,13 +54,16 @@ PictureFinding judge_picture(const fs::path& root, const std::string& step, cons
     const std::string facts = read_file((references / (step + ".txt")).string());
     const fs::path variance = references / (step + ".variance.hdr");
     fs::create_directories(out);
-    std::vector<std::string> command{(build / "bin" / step).string(), "--quiet", "--out", (out / step).string()};
-    if (fs::exists(variance)) command.insert(command.end(), {"--variance", (out / (step + ".variance.hdr")).string()});
+    std::vector<std::string> command{(build / "bin" / step).string(), "--quiet", "--out",
+                                     (out / step).string()};
+    if (fs::exists(variance))
+        command.insert(command.end(), {"--variance", (out / (step + ".variance.hdr")).string()});
     for (const std::string& word : split(fact(facts, "test flags"))) command.push_back(word);
     const fs::path said = build / "said.txt";
     const Ended ended = run_process(command, said, {.seconds = seconds_for_a_picture});
     if (ended.too_long)
-        return failed("the program was stopped after " + std::to_string(seconds_for_a_picture) + " s; does it end?");
+        return failed("the program was stopped after " + std::to_string(seconds_for_a_picture) +
+                      " s; does it end?");
     if (ended.code >= 128) return failed("the program crashed");
     if (ended.code != 0) return failed("the program says: " + read_file(said.string()));
 
@@ -71,14 +74,16 @@ PictureFinding judge_picture(const fs::path& root, const std::string& step, cons
     finding.judgement = judge(read_stored((out / (step + ".hdr")).string()),
                               read_stored((references / (step + ".hdr")).string()), variances);
     finding.verdict = name_of(finding.judgement->finding);
-    finding.holds = finding.judgement->finding == Finding::same || finding.judgement->finding == Finding::noise;
+    finding.holds =
+        finding.judgement->finding == Finding::same || finding.judgement->finding == Finding::noise;
     finding.lines = finding.judgement->lines;
     finding.mine = out / (step + ".png");
     finding.reference = references / (step + ".png");
     finding.map = out / (step + ".map.png");
     write_image(finding.map.string(), error_map(*finding.judgement));
-    finding.settings = fact(facts, "width") + " x " + fact(facts, "height") + ", " +
-                       (fact(facts, "test flags").empty() ? "the program's own settings" : fact(facts, "test flags"));
+    finding.settings =
+        fact(facts, "width") + " x " + fact(facts, "height") + ", " +
+        (fact(facts, "test flags").empty() ? "the program's own settings" : fact(facts, "test flags"));
     return finding;
 }
 

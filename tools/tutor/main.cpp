@@ -1,6 +1,8 @@
 // The program behind ./learn start, status, hint, diff and undo. Exit code: 0 all is said and done, 2 wrong words or a
 // file that cannot be read or written.
+#include "tools/tutor/check.h"
 #include "tools/tutor/commands.h"
+#include "tools/tutor/watch.h"
 
 #include "common/error.h"
 
@@ -24,7 +26,9 @@ namespace {
 struct Words {
     std::string root = ".", workshop;
     std::string step, name;
-    bool again = false, all = false, reset = false;
+    std::string build;
+    bool again = false, all = false, reset = false, no_picture = false;
+    int code = 0; ///< what the command answers
 };
 
 rt::Project project_of(const Words& words) {
@@ -72,6 +76,19 @@ void add_start(CLI::App& app, Words& words) {
                               start_step(project, find_step(project, words.step), std::cout);
                           }),
               words);
+}
+
+void add_check(CLI::App& app, Words& words, const std::string& name, const std::string& help,
+               int (*check)(const rt::Project&, const rt::CheckWish&, std::ostream&)) {
+    CLI::App* const command = add_command(app, name, help, [&words, check] {
+        const rt::Project project = project_of(words);
+        const std::filesystem::path build =
+            words.build.empty() ? project.root / "build" / "release" : std::filesystem::path(words.build);
+        words.code = check(project, {find_step(project, words.step), build, !words.no_picture}, std::cout);
+    });
+    with_step(command, words);
+    command->add_flag("--no-picture", words.no_picture, "the checks alone");
+    command->add_option("--build", words.build, "the folder of the build, if not ROOT/build/release");
 }
 
 void add_status(CLI::App& app, Words& words) {
@@ -139,6 +156,12 @@ int main(int argc, char** argv) {
     app.add_option("--root", words.root, "the project's folder");
     app.add_option("--workshop", words.workshop, "where your files are, if not in ROOT/workshop");
     add_start(app, words);
+    add_check(
+        app, words, "check",
+        "Runs the step's checks on your files and those of the steps before, renders, compares, and says "
+        "what is likely wrong and what to do next. Exit code 0 only when all hold.",
+        rt::check_step);
+    add_check(app, words, "watch", "Checks again at each save; q ends.", rt::watch_step);
     add_status(app, words);
     add_hint(app, words);
     add_diff(app, words);
@@ -146,7 +169,7 @@ int main(int argc, char** argv) {
     try {
         app.parse(argc, argv);
         return std::cout.flush()
-                   ? 0
+                   ? words.code
                    : complain("stdout takes no more text (is the disk full?); all else went well");
     } catch (const CLI::CallForHelp& help) {
         return app.exit(help);

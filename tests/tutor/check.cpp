@@ -1,0 +1,97 @@
+// What ./learn check does with code that does not compile, crashes or never ends.
+#include "tests/check.h"
+#include "tests/tutor/folder.h"
+#include "tools/tutor/check_run.h"
+#include "tools/tutor/compile.h"
+
+#include <doctest/doctest.h>
+
+using namespace rt;
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A program in place of a test executable: three checks, of which the second does what `deed` says.
+fs::path program(const fs::path& folder, const std::string& deed) {
+    const fs::path path = folder / "test_step";
+    put(path, "#!/bin/sh\n"
+              "first=${2#--first=}\n"
+              "[ $first -le 1 ] && printf 'case\\ta\\nend\\ta\\tok\\t.1\\n'\n"
+              "if [ $first -le 2 ]; then printf 'case\\tb\\n'; " +
+                  deed +
+                  "; printf 'end\\tb\\tok\\t.1\\n'; fi\n"
+                  "printf 'case\\tc\\nfail\\tx.cpp:3\\tf() == 4\\t6 == 4\\nend\\tc\\tfailed\\t.1\\n'\n");
+    fs::permissions(path, fs::perms::owner_all);
+    return path;
+}
+
+std::vector<CheckResult> checks_of(const std::string& deed, int seconds = 20) {
+    const SmallProject small;
+    return run_all_checks(program(small.root, deed), small.root / "said.txt", seconds);
+}
+
+} // namespace
+
+TEST_CASE("checks that end are reported as they are") {
+    const auto checks = checks_of("true");
+    REQUIRE(checks.size() == 3);
+    CHECK(checks[0].state == CheckState::ok);
+    CHECK(checks[1].state == CheckState::ok);
+    CHECK(checks[2].state == CheckState::failed);
+    REQUIRE(checks[2].failures.size() == 1);
+    CHECK(checks[2].failures[0].values == "6 == 4");
+}
+
+TEST_CASE("a check that crashes is named, and the others still run") {
+    const auto checks = checks_of("kill -SEGV $$");
+    REQUIRE(checks.size() == 3);
+    CHECK(checks[1].name == "b");
+    CHECK(checks[1].state == CheckState::unfinished);
+    REQUIRE(checks[1].failures.size() == 1);
+    CHECK(checks[1].failures[0].values.find("crashed: memory") != std::string::npos);
+    CHECK(checks[2].state == CheckState::failed);
+}
+
+TEST_CASE("a check that never ends is stopped and named, and the others still run") {
+    const auto checks = checks_of("while :; do :; done", 1);
+    REQUIRE(checks.size() == 3);
+    CHECK(checks[1].state == CheckState::unfinished);
+    REQUIRE(checks[1].failures.size() == 1);
+    CHECK(checks[1].failures[0].values.find("stopped after 1 s") != std::string::npos);
+    CHECK(checks[2].state == CheckState::failed);
+}
+
+TEST_CASE("after three checks that never end nobody waits for the others") {
+    const SmallProject small;
+    put(small.root / "test_step", "#!/bin/sh\nprintf 'case\\tx\\n'\nwhile :; do :; done\n");
+    fs::permissions(small.root / "test_step", fs::perms::owner_all);
+    const auto checks = run_all_checks(small.root / "test_step", small.root / "said.txt", 1);
+    REQUIRE(checks.size() == 4);
+    CHECK(checks[3].failures.front().values.find("not run") != std::string::npos);
+}
+
+TEST_CASE("a check that ends the program is named") {
+    const auto checks = checks_of("exit 3");
+    REQUIRE(checks.size() == 3);
+    REQUIRE(checks[1].failures.size() == 1);
+    CHECK(checks[1].failures[0].values.find("code 3") != std::string::npos);
+}
+
+TEST_CASE("of a compiler's hundred lines the first error in a file of the learner's is the one to show") {
+    const std::string log =
+        "[1/3] Building CXX object x.o\n"
+        "In file included from tests/03_mirror.cpp:4:\n"
+        "steps/03_mirror/radiance.h:20:14: error: no matching function\n"
+        "/home/a b/workshop/03_mirror/mirror.h:23:5: error: expected ';' before 'return'\n"
+        "/home/a b/workshop/03_mirror/mirror.h:30:5: error: another\n";
+    const auto error = first_error(log, "/workshop/");
+    REQUIRE(error);
+    CHECK(error->file == "/home/a b/workshop/03_mirror/mirror.h");
+    CHECK(error->line == 23);
+    CHECK(error->message == "expected ';' before 'return'");
+    const auto elsewhere = first_error(log, "/nowhere/");
+    REQUIRE(elsewhere);
+    CHECK(elsewhere->line == 20);
+    CHECK(!first_error("ninja: error: loading 'build.ninja'\n", "/workshop/"));
+}
