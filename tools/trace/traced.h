@@ -1,0 +1,117 @@
+// Forced in front of a step's main.cpp: the program's scene becomes one that prints what every ray of one sample meets
+// and brings back. RT_SCENE and RT_RADIANCE are the headers that the program uses, RT_STEP is its number. The program
+// is not changed. Run it with one thread, on a crop of one pixel; RAYSTEPS_TRACE_SAMPLE says which sample of it (1).
+#pragma once
+
+#include RT_SCENE
+#include RT_RADIANCE
+
+#include <cstdio>
+#include <cstdlib>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+namespace rt {
+
+/// A Scene in every respect; but being another type, it is passed to the functions below, which fit it better.
+struct TracedScene : Scene {};
+
+namespace trace {
+
+inline int depth = 0;   ///< how many calls of radiance() are under way
+inline int samples = 0; ///< that have begun
+
+inline bool wanted() {
+    static const char* const chosen = std::getenv("RAYSTEPS_TRACE_SAMPLE");
+    static const int number = chosen ? std::atoi(chosen) : 1;
+    return samples == number;
+}
+
+template <typename... Values>
+void say(const char* pattern, Values... values) {
+    if (!wanted()) return;
+    std::printf("%*s", 2 * depth, "");
+    std::printf(pattern, values...);
+    std::printf("\n");
+}
+
+inline std::string text(vec3 v) {
+    char text[80];
+    std::snprintf(text, sizeof text, "(%.4g %.4g %.4g)", double(v.x), double(v.y), double(v.z));
+    return text;
+}
+
+/// "Mirror", of a rt::Mirror: what the compiler calls this function ends in it.
+template <typename Material>
+std::string name_of(const Material&) {
+    std::string_view own = __PRETTY_FUNCTION__;
+    own = own.substr(own.find("Material = ") + 11);
+    own = own.substr(0, own.find_first_of(";]"));
+    return std::string(own.substr(own.rfind(':') + 1));
+}
+
+inline void say_hit(const Scene& scene, const Ray& ray, const std::optional<Hit>& hit) {
+    say("ray from %s towards %s", text(ray.origin).c_str(), text(ray.direction).c_str());
+    if (!hit) return say("  meets nothing");
+    const auto& material = scene.materials[std::size_t(hit->material)];
+    const std::string name = std::visit([](const auto& arm) { return name_of(arm); }, material);
+    say("  meets material %d, a %s, at t = %.6g%s", hit->material, name.c_str(), double(hit->t),
+        hit->inside ? ", from inside" : "");
+    say("  point %s, normal %s, uv (%.4g %.4g)", text(hit->position).c_str(), text(hit->normal).c_str(),
+        double(hit->uv.x), double(hit->uv.y));
+}
+
+/// Calls radiance(), one level deeper.
+template <typename Radiance>
+vec3 below(const Radiance& radiance) {
+    if (depth == 0) ++samples;
+    ++depth;
+    const vec3 back = radiance();
+    say("brings back %s", text(back).c_str());
+    --depth;
+    return back;
+}
+
+} // namespace trace
+
+inline std::optional<Hit> intersect(const TracedScene& scene, const Ray& ray) {
+    const auto hit = intersect(static_cast<const Scene&>(scene), ray);
+    trace::say_hit(scene, ray, hit);
+    return hit;
+}
+
+#if RT_STEP >= 2
+inline bool occluded(const TracedScene& scene, const Ray& ray) {
+    const bool dark = occluded(static_cast<const Scene&>(scene), ray);
+    trace::say("shadow ray from %s to %s: %s", trace::text(ray.origin).c_str(),
+               trace::text(at(ray, ray.t_max)).c_str(), dark ? "something is between" : "free");
+    return dark;
+}
+#endif
+
+// The recursion of a radiance.h comes back to these: a function that is no template fits better than one that is.
+#if RT_STEP <= 2
+inline vec3 radiance(const TracedScene& scene, const Ray& ray) {
+    return trace::below([&] { return radiance<TracedScene>(scene, ray); });
+}
+#elif RT_STEP == 3
+inline vec3 radiance(const TracedScene& scene, const Ray& ray, int depth) {
+    return trace::below([&] { return radiance<TracedScene>(scene, ray, depth); });
+}
+#elif RT_STEP <= 7
+inline vec3 radiance(const TracedScene& scene, const Ray& ray, int depth, vec3 absorption = vec3(0)) {
+    return trace::below([&] { return radiance<TracedScene>(scene, ray, depth, absorption); });
+}
+#else
+template <UniformSource Source>
+vec3 radiance(const TracedScene& scene, const AreaLights& lights, const Transport& transport, const Ray& ray,
+              Source& source) {
+    return trace::below([&] { return radiance<TracedScene, Source>(scene, lights, transport, ray, source); });
+}
+#endif
+
+} // namespace rt
+
+#define Scene TracedScene
