@@ -344,6 +344,20 @@ TEST_CASE("a report that nobody can take is an error, not a silence") {
     CHECK(fs::exists(folder / "p.png"));
 }
 
+TEST_CASE("a program names the learner's headers that it is built with, and is silent without any") {
+    const Folder folder;
+    for (const std::string own : {"03_mirror/mirror.h, 03_mirror/scene.h", ""}) {
+        rt::Options options("00_test", "Does it run?", {});
+        const std::string out = folder / "p";
+        const std::vector<const char*> argv{"00_test", "--width", "2", "--height", "2", "--out", out.c_str()};
+        const Captured said(std::cout);
+        const auto body = [](const rt::RenderCall& render) { render(gradient); };
+        CHECK(rt::run_program(options, int(argv.size()), argv.data(), body, own) == 0);
+        CHECK(contains(said.str(), "using your " + own + "\n") == !own.empty());
+        CHECK(contains(said.str(), "using your") == !own.empty());
+    }
+}
+
 #if defined(SIGPIPE)
 TEST_CASE("a reader that leaves early does not cost the picture") {
     const Folder folder;

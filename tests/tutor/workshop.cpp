@@ -95,6 +95,14 @@ TEST_CASE("3, 03 and the full name mean a step, and anything else is refused") {
         CHECK_THROWS_AS(find_step(small.project, word), Error);
 }
 
+TEST_CASE("what an editor leaves beside a header is none of the learner's files") {
+    const SmallProject small;
+    for (const char* file : {".shape.h.swp", "shape.h~", ".shape.h", "shape.h", "notes.txt"})
+        put(small.own(std::string("01_one/") + file), "x");
+    fs::create_directories(small.own("01_one/folder.h"));
+    CHECK(own_files(small.project, "01_one") == std::vector<std::string>{"shape.h"});
+}
+
 TEST_CASE("undo keeps the file under the time of day, and a second one of the same second too") {
     const SmallProject small;
     for (const std::string text : {"first", "second", "third"}) {

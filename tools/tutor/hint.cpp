@@ -66,10 +66,21 @@ void list_exercises(const std::string& step, const std::vector<Exercise>& exerci
     out << "\nnext: ./learn hint " << number << " " << exercises.front().name << "\n";
 }
 
-/// Tiers first + 1 to last.
-void print_tiers(const std::vector<std::string>& texts, std::size_t first, std::size_t last,
-                 std::ostream& out) {
-    for (std::size_t tier = first; tier < last; ++tier) {
+/// Tiers first + 1 to last of an exercise.
+struct Range {
+    std::size_t first, last;
+};
+
+/// What to show of an exercise of which `before` tiers have been shown. After the last one it is the last one again.
+Range range_of(HintWish wish, std::size_t before) {
+    if (wish == HintWish::all) return {0, tiers};
+    const std::size_t last =
+        wish == HintWish::again ? std::max<std::size_t>(before, 1) : std::min(before + 1, tiers);
+    return {last - 1, last};
+}
+
+void print_tiers(const std::vector<std::string>& texts, const Range& range, std::ostream& out) {
+    for (std::size_t tier = range.first; tier < range.last; ++tier) {
         out << "\nHint " << tier + 1 << " of " << tiers << "\n";
         print_wrapped(texts[tier], out);
     }
@@ -97,13 +108,10 @@ void show_hints(const Project& project, const std::string& step, const std::stri
     const Hints hints = read_hints(project.root, step, exercises);
 
     const std::size_t before = count_shown(shown_hints, exercise);
-    std::size_t last = before + 1, first = before;
-    if (wish == HintWish::all) first = 0, last = tiers;
-    if (wish == HintWish::again) last = std::max<std::size_t>(before, 1), first = last - 1;
-    if (last > tiers) last = tiers, first = tiers - 1;
+    const Range range = range_of(wish, before);
     print_place(project, exercise, out);
-    print_tiers(hints.at(name), first, last, out);
-    const std::size_t now = std::max(before, last);
+    print_tiers(hints.at(name), range, out);
+    const std::size_t now = std::max(before, range.last);
     print_next_step(exercise, now, out);
     if (now == before) return;
     shown_hints[key_of(exercise)] = int(now);

@@ -11,6 +11,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <exception>
+#include <functional>
 #include <iostream>
 #include <string>
 
@@ -68,14 +69,13 @@ CLI::App* with_step(CLI::App* command, Words& words) {
 }
 
 void add_start(CLI::App& app, Words& words) {
-    with_step(add_command(app, "start",
-                          "Cuts the files of a step into workshop/, with gaps where you write. What is there "
-                          "already stays as it is.",
-                          [&words] {
-                              const rt::Project project = project_of(words);
-                              start_step(project, find_step(project, words.step), std::cout);
-                          }),
-              words);
+    CLI::App* const start = add_command(
+        app, "start", "Cuts the files of a step into workshop/, with gaps where you write; never overwrites.",
+        [&words] {
+            const rt::Project project = project_of(words);
+            start_step(project, find_step(project, words.step), std::cout);
+        });
+    with_step(start, words);
 }
 
 void add_check(CLI::App& app, Words& words, const std::string& name, const std::string& help,

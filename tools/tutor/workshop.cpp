@@ -126,8 +126,11 @@ std::vector<std::string> files_to_write(const std::vector<Exercise>& exercises) 
 std::vector<std::string> own_files(const Project& project, const std::string& step) {
     std::vector<std::string> files;
     std::error_code ignored;
-    for (const auto& entry : fs::directory_iterator(project.workshop / step, ignored))
-        if (fs::is_regular_file(entry.path(), ignored)) files.push_back(entry.path().filename().string());
+    for (const auto& entry : fs::directory_iterator(project.workshop / step, ignored)) {
+        const std::string file = entry.path().filename().string();
+        if (file.ends_with(".h") && file[0] != '.' && fs::is_regular_file(entry.path(), ignored))
+            files.push_back(file);
+    }
     std::ranges::sort(files);
     return files;
 }

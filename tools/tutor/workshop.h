@@ -35,7 +35,8 @@ Exercise find_exercise(const Project& project, const std::string& step, const st
 /// The files that hold exercises of the step, in the order of the exercises, each once.
 std::vector<std::string> files_to_write(const std::vector<Exercise>& exercises);
 
-/// The learner's plain files in workshop/NN_name/, sorted; none if there is no such folder.
+/// The learner's headers in workshop/NN_name/, sorted, without what editors leave there; none if there is no such
+/// folder.
 std::vector<std::string> own_files(const Project& project, const std::string& step);
 
 /// Which of the learner's files `word` means: "mirror.h", with or without folders before it. Throws Error.
