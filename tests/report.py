@@ -105,10 +105,10 @@ class Browser:
     def mouse(self, *actions):
         self.act({"type": "pointer", "id": "mouse", "parameters": {"pointerType": "mouse"}, "actions": list(actions)})
 
-    def point_at(self, x, y):
-        """Moves the mouse to the middle of a pixel of the picture, which fits into its pane."""
+    def point_of(self, x, y):
+        """The point of the window where the middle of a pixel is, as long as the picture fits into its pane."""
         width, height = self.run("return [pictures.width, pictures.height]")
-        self.move(self.show_pane()((x + 0.5) / width, (y + 0.5) / height))
+        return self.show_pane()((x + 0.5) / width, (y + 0.5) / height)
 
     def move(self, point):
         self.mouse(self.at(point))
@@ -331,16 +331,16 @@ def buttons_zoom_to_pixels(browser):
 def wheel_zooms_around_the_pointer_and_a_drag_pans(browser):
     browser.open("wrong")
     browser.click("[data-mode=map]")
-    point = browser.show_pane()
-    browser.move(point(0.7, 0.3))
+    begin = browser.point_of(448, 120)
+    browser.move(begin)
     expect(browser.pixel(), (448, 120), "pixel at 7 tenths of the width and 3 of the height")
     fit = browser.scale()
-    browser.wheel(point(0.7, 0.3), -1000)
+    browser.wheel(begin, -1000)
     near(browser.scale() / fit, 7.389, 0.01, "a wheel turned by 1000 zooms by e squared")
-    browser.move(point(0.7, 0.3))
+    browser.move((begin[0] + 1, begin[1]))
+    browser.move(begin)
     expect(browser.pixel(), (448, 120), "pixel under the pointer after the zoom")
     step = browser.scale() * 10
-    begin = point(0.7, 0.3)
     browser.drag(begin, (begin[0] - step, begin[1] + step))
     expect(browser.pixel(), (448, 120), "the pixel goes with the pointer that drags it")
     browser.move(begin)
@@ -388,13 +388,13 @@ def two_fingers_pinch(browser):
 
 def readout_tells_pixel_and_colours(browser):
     browser.open("wrong")
-    browser.point_at(160, 300)
+    browser.move(browser.point_of(160, 300))
     expect(browser.pixel(), (160, 300), "pixel")
     words = browser.text("#readout")
     assert re.search(r"yours \d+ \d+ \d+\s+reference \d+ \d+ \d+", words), words
     yours, reference = re.findall(r"\d+ \d+ \d+", words)
     expect(yours, reference, "colours where the pictures agree")
-    browser.point_at(480, 100)
+    browser.move(browser.point_of(480, 100))
     expect(browser.pixel(), (480, 100), "pixel")
     yours, reference = re.findall(r"\d+ \d+ \d+", browser.text("#readout"))
     assert yours != reference, f"the same colour where the pictures differ: {yours}"
@@ -460,7 +460,7 @@ def without_pictures_it_says_why(browser):
     expect(browser.visible("#viewer"), False, "a viewer is shown")
     expect(browser.text("#checks-headline"), "No check has run", "headline of the checks")
     words = browser.text("#missing")
-    assert "the program did not build" in words and "mirror.h:24:12: error" in words, words
+    assert "The program did not build" in words and "mirror.h:24:12: error" in words, words
     browser.open("single")
     expect(browser.layers(), [["reference"]], "the one picture that there is")
     expect(browser.visible("#modes"), False, "views of two pictures are offered")
@@ -558,7 +558,7 @@ def no_page_asks_a_network_or_complains(browser):
             url = message["params"]["request"]["url"]
             assert url.startswith(("file:", "data:")), f"a request to {url[:200]}"
     assert requests >= len(PAGES), f"the log tells of {requests} requests only"
-    complaints = [entry["message"] for entry in browser.send("POST", "/se/log", {"type": "browser"})]
+    complaints = sorted({entry["message"] for entry in browser.send("POST", "/se/log", {"type": "browser"})})
     expect(complaints, [], "what the console says")
 
 
