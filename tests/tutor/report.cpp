@@ -1,0 +1,373 @@
+// Facts about the report: one page with all in it, in which nothing from outside is more than text.
+#include "tools/tutor/report.h"
+
+#include "common/file_bytes.h"
+#include "common/image_file.h"
+#include "tests/malformed/folder.h"
+#include "tools/tutor/embed.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+using namespace rt;
+using namespace rt::malformed;
+
+namespace {
+
+const std::string root = RT_ROOT;
+const std::string references = root + "/assets/reference/";
+
+/// A reference as a learner with a mistake would make it: one corner is turned upside down and too bright.
+std::string wrong_picture(const Folder& folder, const std::string& name) {
+    const Image right = read_image(references + name + ".png");
+    Image wrong = right;
+    for (int y = 0; y < right.height / 2; ++y)
+        for (int x = right.width / 2; x < right.width; ++x)
+            wrong(x, y) = 1.3f * right(x, right.height / 2 - y);
+    write_image(folder / "mine.png", wrong);
+    return folder / "mine.png";
+}
+
+/// How far two pictures are apart, pixel by pixel.
+std::string difference_picture(const Folder& folder, const std::string& a, const std::string& b) {
+    Image map = read_image(a);
+    const Image other = read_image(b);
+    for (std::size_t i = 0; i < map.pixels.size(); ++i) {
+        const float d = std::abs(luminance(map.pixels[i]) - luminance(other.pixels[i]));
+        map.pixels[i] = vec3(std::sqrt(d), d, d * d) + vec3(0.01f);
+    }
+    write_image(folder / "map.png", map);
+    return folder / "map.png";
+}
+
+std::vector<ReportCheck> some_checks() {
+    std::vector<ReportCheck> checks;
+    const auto add = [&](const char* name, const char* state, std::vector<std::string> lines = {}) {
+        checks.push_back({name, state, 0.0013 * double(checks.size() + 1), std::move(lines)});
+    };
+    add("a reflected direction leaves at the angle at which it came", "failed",
+        {"tests/03_mirror.cpp:41  CHECK( dot(out, normal) == approx(-dot(in, normal)) )",
+         "expected 0.6 within 1e-05, got -0.6",
+         "a cosine of the other sign: the direction still goes into the surface"});
+    add("a reflected direction keeps its length", "ok");
+    add("a mirror keeps the part of a direction that lies along it", "ok");
+    add("to reflect twice is to do nothing", "failed", {"expected (1, 2, 3) within 1e-05, got (1, 26, 3)"});
+    add("it does not matter to which side the normal points", "ok");
+    add("a corner of three mirrors sends a ray back where it came from", "failed",
+        {"expected (-0.36, -0.48, -0.8) within 1e-05, got (0.36, 0.48, 0.8)"});
+    add("a path of three hops shows the ball that stands on its third segment", "unfinished",
+        {"stopped after 10 s: a path of mirrors has no end"});
+    add("white things vanish in an even sky, whatever share of them is a mirror", "skipped",
+        {"[skipped] needs the picture of step 02"});
+    for (const char* name : {"a quad is met between its edges and missed beyond them",
+                             "a quad is met on both sides of its diagonal", "a ray along a quad misses it",
+                             "u and v of a quad run along its edges from the corner"})
+        add(name, "ok");
+    return checks;
+}
+
+/// A check of step 03 with a mistake that is known.
+Report some_report(const Folder& folder) {
+    Report report;
+    report.root = root;
+    report.step = "03_mirror";
+    report.question = "what does the mirror see?";
+    report.own_files = {"03_mirror/mirror.h"};
+    report.checks = some_checks();
+    report.earlier = {"01_spheres: 67 of 67 checks", "02_shadows: 41 of 41 checks"};
+    report.verdict = "different";
+    report.verdict_lines = {"Too bright by 12 % in the upper right; the worst pixel is x 497, y 31."};
+    report.flip_mean = 0.0731;
+    report.flip_max = 0.8124;
+    report.mine = wrong_picture(folder, "03_mirror");
+    report.reference = references + "03_mirror.png";
+    report.map = difference_picture(folder, report.mine.string(), report.reference.string());
+    report.mistake_title = "the part along the normal is added in place of taken away";
+    report.mistake_confidence = "very likely: the same checks are red, with the same numbers";
+    report.mistake_shows = "reflections hang upside down under every ball.";
+    report.mistake_why =
+        "d.n is negative for a ray that meets the surface, so `- 2 (d.n) n` points outward. With "
+        "a plus the ray goes three times as steeply into the surface.";
+    report.mistake_fix = "write `direction - 2 * dot(direction, normal) * normal`.";
+    report.mistake_picture = references + "02_shadows.png";
+    report.next = "./learn hint 03 reflect";
+    report.settings = "640 x 400, 16 samples a pixel, seed 1";
+    return report;
+}
+
+/// The same, all well, of a noisy step.
+Report good_report() {
+    Report report;
+    report.root = root;
+    report.step = "08_indirect";
+    report.question = "where does the light in the shadow come from?";
+    report.own_files = {"08_indirect/bounce.h", "08_indirect/area_light.h"};
+    for (int i = 0; i < 74; ++i)
+        report.checks.push_back(
+            {"fact number " + std::to_string(i + 1) + " about light", "ok", 0.002 * i, {}});
+    report.verdict = "noise";
+    report.verdict_lines = {"No tile differs by more than its noise explains."};
+    report.tiles_over_4 = 1;
+    report.mine = report.reference = report.map = references + "08_indirect.png";
+    report.next = "./learn status";
+    report.settings = "480 x 480, 16 samples a pixel, seed 1";
+    return report;
+}
+
+Report unbuilt_report() {
+    Report report;
+    report.root = root;
+    report.step = "03_mirror";
+    report.question = "what does the mirror see?";
+    report.own_files = {"03_mirror/mirror.h"};
+    report.verdict = "the program did not build";
+    report.verdict_lines = {
+        "workshop/03_mirror/mirror.h:24:12: error: 'refelct' was not declared in this scope; did "
+        "you mean 'reflect'?"};
+    report.next = "./learn hint 03 mirror_ray";
+    return report;
+}
+
+const std::string evil =
+    "</script><script>window.harm = 1</script><!-- <img src=x onerror=\"window.harm = 1\"> ' & \\ {{report}}";
+
+/// Everywhere the same text, which would do harm as markup.
+Report evil_report(const Folder& folder) {
+    Report report = some_report(folder);
+    report.step = "03_" + evil;
+    for (std::string* text :
+         {&report.question, &report.mistake_title, &report.mistake_confidence, &report.mistake_shows,
+          &report.mistake_why, &report.mistake_fix, &report.next, &report.settings, &report.verdict})
+        *text = evil;
+    report.own_files = report.earlier = report.verdict_lines = {evil};
+    report.checks = {{evil, "failed", 1, {evil}}, {evil, evil, 1, {evil}}, {evil, "ok", 1, {evil}}};
+    return report;
+}
+
+/// The page without its pictures, in whose base64 anything may stand.
+std::string without_pictures(std::string page) {
+    const std::string opening = "data:image/png;base64,";
+    for (std::size_t at = 0; (at = page.find(opening, at)) != std::string::npos;) {
+        at += opening.size();
+        page.erase(at, page.find('"', at) - at);
+    }
+    return page;
+}
+
+int count(const std::string& text, const std::string& part) {
+    int n = 0;
+    for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; at += part.size()) ++n;
+    return n;
+}
+
+/// Cuts what stands between `from` and `to`, every time; the two stay.
+std::string cut(std::string text, const std::string& from, const std::string& to) {
+    for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos;) {
+        at += from.size();
+        const std::size_t end = text.find(to, at);
+        REQUIRE_MESSAGE(end != std::string::npos, ("no " + to + " after " + from));
+        text.erase(at, end - at);
+    }
+    return text;
+}
+
+/// The first tag that closes what is not open, or stays open; empty if all are in pairs.
+std::string unbalanced_tag(std::string page) {
+    page = cut(cut(cut(page, "<!--", "-->"), "<style>", "</style>"), "<script>", "</script>");
+    page = cut(page, "<script type=\"application/json\" id=\"data\">", "</script>");
+    const std::vector<std::string> alone = {"!doctype", "!----", "meta", "link", "br", "img", "input", "hr"};
+    std::vector<std::string> open;
+    for (std::size_t at = 0; (at = page.find('<', at)) != std::string::npos; ++at) {
+        const bool closes = page[at + 1] == '/';
+        const std::size_t begin = at + 1 + (closes ? 1 : 0);
+        const std::string tag = page.substr(begin, page.find_first_of(" \n>", begin) - begin);
+        if (closes) {
+            if (open.empty() || open.back() != tag) return "/" + tag;
+            open.pop_back();
+        } else if (std::find(alone.begin(), alone.end(), tag) == alone.end()) {
+            open.push_back(tag);
+        }
+    }
+    return open.empty() ? "" : open.back();
+}
+
+} // namespace
+
+TEST_CASE("base64 is what the standard's examples say") {
+    const std::pair<const char*, const char*> examples[] = {{"", ""},
+                                                            {"f", "Zg=="},
+                                                            {"fo", "Zm8="},
+                                                            {"foo", "Zm9v"},
+                                                            {"foob", "Zm9vYg=="},
+                                                            {"fooba", "Zm9vYmE="},
+                                                            {"foobar", "Zm9vYmFy"}};
+    for (const auto& [bytes, text] : examples) CHECK(base64(bytes) == text);
+    CHECK(base64("\xFB\xFF\xFE") == "+//+");
+}
+
+TEST_CASE("an embedded text is JSON in which nothing ends a script") {
+    CHECK(embedded_text("plain \xC3\xA4 \xE2\x82\xAC \xF0\x9F\x98\x80") ==
+          "\"plain \xC3\xA4 \xE2\x82\xAC \xF0\x9F\x98\x80\"");
+    CHECK(embedded_text("\"\\\n\t") == "\"\\u0022\\u005c\\u000a\\u0009\"");
+    CHECK(embedded_text("</script>&") == "\"\\u003c/script\\u003e\\u0026\"");
+    CHECK(embedded_text(std::string_view("\0", 1)) == "\"\\u0000\"");
+}
+
+TEST_CASE("bytes that are no UTF-8 become the character that stands for them") {
+    const std::string unknown = "\xEF\xBF\xBD";
+    CHECK(embedded_text("a\xFFz") == "\"a" + unknown + "z\"");
+    CHECK(embedded_text("\xC3") == "\"" + unknown + "\"");               // cut off
+    CHECK(embedded_text("\xC0\xAF") == "\"" + unknown + unknown + "\""); // two bytes for a slash
+    CHECK(embedded_text("\xED\xA0\x80") == "\"" + unknown + unknown + unknown + "\""); // half of a pair
+    CHECK(embedded_text("\xE2\x82z") == "\"" + unknown + unknown + "z\"");
+}
+
+TEST_CASE("a picture is embedded as the file stands on disk, and its size is read from it") {
+    const EmbeddedPicture picture = embedded_picture(references + "08_indirect.png");
+    CHECK(picture.width == 480);
+    CHECK(picture.height == 480);
+    CHECK(picture.url == "data:image/png;base64," + base64(bytes_of(references + "08_indirect.png")));
+}
+
+TEST_CASE("the report holds its three pictures and the mistake's") {
+    const Folder folder;
+    const Report report = some_report(folder);
+    const std::string page = report_html(report);
+    for (const auto& path : {report.mine, report.reference, report.map, report.mistake_picture}) {
+        CAPTURE(path.string());
+        CHECK(count(page, base64(bytes_of(path.string()))) == 1);
+    }
+    CHECK(count(page, "data:image/png;base64,") == 4);
+}
+
+TEST_CASE("the report asks nothing of a network") {
+    const Folder folder;
+    const std::string page = without_pictures(report_html(some_report(folder)));
+    for (const char* part : {"http:", "https:", "//", "@import", "url(", "<link", "<iframe", "src=\"",
+                             "fetch(", "XMLHttpRequest", "WebSocket", "import("})
+        CHECK_MESSAGE(!contains(page, part), ("there is a " + std::string(part) + " in the page"));
+    CHECK(contains(page, "default-src 'none'"));
+}
+
+TEST_CASE("the report's tags are in pairs") {
+    const Folder folder;
+    CHECK(unbalanced_tag(report_html(some_report(folder))) == "");
+    CHECK(unbalanced_tag(report_html(evil_report(folder))) == "");
+    CHECK(unbalanced_tag("<p><b></p></b>") == "/p"); // and this is how it shows
+    CHECK(unbalanced_tag("<p><br>") == "p");
+}
+
+TEST_CASE("no text from outside is markup in the report") {
+    const Folder folder;
+    const std::string page = report_html(evil_report(folder)), tame = report_html(some_report(folder));
+    CHECK(!contains(page, "<img src=x"));
+    CHECK(!contains(page, "<script>window.harm"));
+    for (const char* part : {"<", ">", "&"}) CHECK(count(page, part) == count(tame, part));
+    CHECK(contains(page, "\\u003c/script\\u003e\\u003cscript\\u003ewindow.harm = 1"));
+}
+
+TEST_CASE("every field of the report is in its data") {
+    const Folder folder;
+    Report report = some_report(folder);
+    report.tiles_over_4 = 17;
+    report.checks[0].seconds = std::numeric_limits<double>::quiet_NaN();
+    const std::string page = report_html(report);
+    for (const char* part : {"\"step\": \"03_mirror\"",
+                             "\"question\": \"what does the mirror see?\"",
+                             "\"own_files\": [\"03_mirror/mirror.h\"]",
+                             "\"01_spheres: 67 of 67 checks\"",
+                             "\"verdict\": \"different\"",
+                             "Too bright by 12 %",
+                             "\"flip_mean\": 0.0731",
+                             "\"flip_max\": 0.8124",
+                             "\"tiles_over_4\": 17",
+                             "\"title\": \"the part along",
+                             "\"confidence\": \"very likely",
+                             "\"shows\": \"reflections hang",
+                             "\"why\": \"d.n is",
+                             "\"fix\": \"write",
+                             "\"next\": \"./learn hint 03 reflect\"",
+                             "\"settings\": \"640 x 400",
+                             "\"width\": 640",
+                             "\"height\": 400",
+                             "\"seconds\": null",
+                             "\"seconds\": 0.0026",
+                             "\"state\": \"unfinished\"",
+                             "\"expected 0.6 within 1e-05, got -0.6\""})
+        CHECK_MESSAGE(contains(page, part), ("there is no " + std::string(part)));
+}
+
+TEST_CASE("a report without pictures or mistake is a page too") {
+    const std::string page = report_html(unbuilt_report());
+    CHECK(count(page, "data:image/png") == 0);
+    CHECK(contains(page, "\"pictures\": {}"));
+    CHECK(contains(page, "\"mistake\": null"));
+    CHECK(contains(page, "\"tiles_over_4\": null"));
+    CHECK(unbalanced_tag(page) == "");
+}
+
+TEST_CASE("a mistake whose picture is not there yet is reported without it") {
+    const Folder folder;
+    Report report = some_report(folder);
+    report.mistake_picture = folder / "not_yet.png";
+    CHECK(count(report_html(report), "data:image/png;base64,") == 3);
+    report.mistake_picture.clear();
+    CHECK(count(report_html(report), "data:image/png;base64,") == 3);
+}
+
+TEST_CASE("a picture that cannot be shown is an error that names it") {
+    const Folder folder;
+    const auto error = [&](auto change) {
+        Report report = some_report(folder);
+        change(report);
+        return error_of([&] { report_html(report); });
+    };
+    CHECK_ERROR(error([&](Report& r) { r.mine = folder / "gone.png"; }), "gone.png: no such file");
+    folder.write("text.png", "This is a text of more than twenty-four bytes.");
+    CHECK_ERROR(error([&](Report& r) { r.map = folder / "text.png"; }), "text.png: is no PNG picture");
+    folder.write("short.png", bytes_of(references + "03_mirror.png").substr(0, 20));
+    CHECK_ERROR(error([&](Report& r) { r.mistake_picture = folder / "short.png"; }),
+                "short.png: is no PNG picture");
+    CHECK_ERROR(error([&](Report& r) { r.reference = references + "08_indirect.png"; }), "08_indirect.png",
+                "another size", "mine.png");
+}
+
+TEST_CASE("a frame that is missing or has no place for the data is an error that names it") {
+    const Folder folder;
+    Report report = unbuilt_report();
+    report.root = folder.path;
+    const auto error = [&] { return error_of([&] { report_html(report); }); };
+    CHECK_ERROR(error(), "tools/tutor/report.html: no such file");
+    folder.write("tools/tutor/report.html", "<html></html>");
+    CHECK_ERROR(error(), "tools/tutor/report.html: {{report}} must stand in it exactly once");
+    folder.write("tools/tutor/report.html", "{{report}} {{report}}");
+    CHECK_ERROR(error(), "tools/tutor/report.html: {{report}} must stand in it exactly once");
+    folder.write("tools/tutor/report.html", "<{{report}}>");
+    CHECK(error() == "no error");
+}
+
+TEST_CASE("reports of each kind are written for the browser, and each is of moderate size") {
+    const Folder folder;
+    const std::filesystem::path out = RT_REPORTS;
+    std::filesystem::create_directories(out);
+    Report single = some_report(folder);
+    single.mine.clear();
+    single.map.clear();
+    single.verdict = "the program was stopped after 10 s";
+    Report unknown = some_report(folder);
+    unknown.mistake_title.clear();
+    const std::pair<const char*, Report> reports[] = {
+        {"wrong", some_report(folder)}, {"good", good_report()}, {"unbuilt", unbuilt_report()},
+        {"evil", evil_report(folder)},  {"single", single},      {"unknown", unknown}};
+    for (const auto& [name, report] : reports) {
+        const std::string file = (out / (std::string(name) + ".html")).string();
+        write_file(file, report_html(report));
+        CHECK(std::filesystem::file_size(file) > 20'000);
+        CHECK(std::filesystem::file_size(file) < 4'000'000);
+    }
+}
