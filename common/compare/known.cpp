@@ -35,7 +35,8 @@ std::optional<double> exact_distance(const StoredImage& test, const StoredImage&
         return {};
     const Flip seen = flip(known.picture.image, test.image);
     const bool looks_same = seen.mean <= limits.known_flip_mean && seen.max <= limits.known_flip_max;
-    if (!looks_same && !verdict(stored_difference(test, known.picture)).same) return {};
+    const Pair pair = comparable(test, known.picture);
+    if (!looks_same && !verdict(difference(pair.test, pair.reference)).same) return {};
     if (seen.mean > limits.known_nearer * flip(reference.image, test.image).mean) return {};
     return seen.mean;
 }

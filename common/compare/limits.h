@@ -17,10 +17,10 @@ struct Limits {
     double never_z = 4.5;
     double most_alarms = 0.001; ///< share of the tiles, but one tile may always alarm
 
-    // What a person sees, for pictures that are not the same.
-    double look_flip = 0.01; ///< mean FLIP up to which a person should look at the map and decide
-    double look_z = 6;       ///< as look_flip, for noisy pictures: the largest |z|,
-    double look_alarms = 3;  ///< and this many times the alarms that are allowed
+    // Noisy pictures that are not the same, but nearly. 20 seeds and more on the real scenes stayed below z = 3
+    // with no alarm at all, so this is no longer noise: a person should look.
+    double look_z = 6;      ///< the largest |z|,
+    double look_alarms = 3; ///< and this many times the alarms that are allowed
 
     // Explanations.
     double named_gain = 0.01;  ///< how near, relatively, a gain must be to pi to be called pi
@@ -37,5 +37,11 @@ struct Limits {
     double known_tie = 1.1;         ///< known pictures within this factor of the nearest are named too
 };
 inline constexpr Limits limits{};
+
+/// The mean FLIP up to which pictures that are not the same are worth a look. Right renders of other compilers
+/// measure 0; the smallest real mistakes .001 to .023, so nothing here is a pass. 04 allows a shortcut (Schlick).
+constexpr double look_flip(int step) {
+    return step == 4 ? 0.015 : 0.01;
+}
 
 } // namespace rt
