@@ -185,7 +185,7 @@ Judgement judge(const Question& q) {
     const Pair pair = comparable(q.test, q.reference);
     const Difference difference = rt::difference(pair.test, pair.reference);
     Judgement judgement;
-    judgement.flip = flip(q.reference.image, q.test.image);
+    judgement.flip = flip(pair.reference, pair.test);
     judgement.rmse = root_mean_square(pair.test, pair.reference);
     if (q.variances.given())
         judgement.tiles =

@@ -26,8 +26,8 @@ struct Judgement {
     Finding finding = Finding::different;
     std::vector<std::string> lines; ///< what to tell a person, the verdict first
     std::string explanation;        ///< as explain() says it
-    Flip flip;
-    double rmse = 0;                     ///< of linear light
+    Flip flip;       ///< of what two files of different kinds can tell: the rounding of a PNG is none
+    double rmse = 0; ///< of linear light
     std::optional<TileDifference> tiles; ///< where variances were given
     Where where;
     Nearest nearest;
