@@ -12,73 +12,81 @@
 
 namespace {
 
-struct Question {
+struct Command {
     std::string test, reference, test_variance, reference_variance, known, json, map;
+    int step = 0;
 };
 
-void declare(CLI::App& app, Question& question) {
-    app.add_option("A", question.test, "the picture to judge, .hdr or .png")->required();
-    app.add_option("B", question.reference, "the reference, .hdr or .png")->required();
+void declare(CLI::App& app, Command& command) {
+    app.add_option("A", command.test, "the picture to judge, .hdr or .png")->required();
+    app.add_option("B", command.reference, "the reference, .hdr or .png")->required();
     CLI::Option* const a =
-        app.add_option("--variance-a", question.test_variance,
+        app.add_option("--variance-a", command.test_variance,
                        "variance of A's pixels (.hdr): then only what noise does not explain counts");
     CLI::Option* const b =
-        app.add_option("--variance-b", question.reference_variance, "variance of B's pixels (.hdr)");
+        app.add_option("--variance-b", command.reference_variance, "variance of B's pixels (.hdr)");
     a->needs(b);
     b->needs(a);
-    app.add_option("--known", question.known, "a folder of wrong pictures: is A one of them?");
-    app.add_option("--json", question.json, "where to write the verdict as JSON; - is the standard output");
+    app.add_option("--known", command.known, "a folder of wrong pictures: is A one of them?");
+    app.add_option("--step", command.step, "the step that both are of: its limits hold")
+        ->check(CLI::Range(1, 8));
+    app.add_option("--json", command.json, "where to write the verdict as JSON; - is the standard output");
     app.add_option(
-        "--map", question.map,
+        "--map", command.map,
         "where to draw the differences (.png): FLIP from black to yellow, or, with variances, red where "
         "A is too bright and blue where it is too dark");
 }
 
 /// Better before the work than after it.
-void check_outputs(const Question& question) {
-    if (!question.map.empty()) rt::check_writable(question.map);
-    if (!question.json.empty() && question.json != "-") rt::check_file_writable(question.json);
+void check_outputs(const Command& command) {
+    if (!command.map.empty()) rt::check_writable(command.map);
+    if (!command.json.empty() && command.json != "-") rt::check_file_writable(command.json);
 }
 
-rt::Judgement answer(const Question& question) {
-    const rt::StoredImage test = rt::read_stored(question.test);
-    const rt::StoredImage reference = rt::read_stored(question.reference);
-    rt::Variances variances;
-    if (!question.test_variance.empty())
-        variances = {rt::read_image(question.test_variance), rt::read_image(question.reference_variance)};
-    std::vector<rt::KnownPicture> known;
-    if (!question.known.empty()) known = rt::read_known(question.known);
-    return rt::judge(test, reference, variances, known);
+rt::Judgement answer(const Command& command) {
+    rt::Question question{rt::read_stored(command.test), rt::read_stored(command.reference)};
+    if (!command.test_variance.empty())
+        question.variances = {rt::read_image(command.test_variance),
+                              rt::read_image(command.reference_variance)};
+    if (!command.known.empty()) question.known = rt::read_known(command.known);
+    question.step = command.step;
+    return rt::judge(question);
 }
 
-void report(const Question& question, const rt::Judgement& judgement) {
+void report(const Command& command, const rt::Judgement& judgement) {
     const std::string json = rt::to_json(judgement) + "\n";
-    if (!question.map.empty()) rt::write_image(question.map, rt::error_map(judgement));
-    if (question.json == "-") {
+    if (!command.map.empty()) rt::write_image(command.map, rt::error_map(judgement));
+    if (!command.json.empty() && command.json != "-") rt::write_file(command.json, json);
+    if (command.json == "-")
         std::cout << json;
-        return;
-    }
-    if (!question.json.empty()) rt::write_file(question.json, json);
-    for (const std::string& line : judgement.lines) std::cout << line << "\n";
+    else
+        for (const std::string& line : judgement.lines) std::cout << line << "\n";
+    if (!std::cout.flush()) throw rt::Error("stdout takes no more text (is the disk full?)");
+}
+
+int complain(std::string message) {
+    for (char& c : message)
+        if (c == '\n' || c == '\r' || c == '\t' || c == '\x1b') c = ' ';
+    std::cerr << "compare: " << message << "\n";
+    return 2;
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
-    Question question;
+    Command command;
     CLI::App app("Is A the same picture as the reference B? Exit code: 0 same, 1 different, 2 an error.",
                  "compare");
-    declare(app, question);
+    declare(app, command);
     try {
         app.parse(argc, argv);
-        check_outputs(question);
-        const rt::Judgement judgement = answer(question);
-        report(question, judgement);
-        return judgement.finding == rt::Finding::same || judgement.finding == rt::Finding::noise ? 0 : 1;
+        check_outputs(command);
+        const rt::Judgement judgement = answer(command);
+        report(command, judgement);
+        return rt::is_same(judgement.finding) ? 0 : 1;
     } catch (const CLI::CallForHelp& help) {
         return app.exit(help);
     } catch (const std::exception& problem) {
-        std::cerr << "compare: " << problem.what() << "\n";
-        return 2;
+        return complain(problem.what());
     }
 }

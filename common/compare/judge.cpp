@@ -34,9 +34,9 @@ void check_channels(const StoredImage& test, const StoredImage& reference) {
 
 // ---- the verdict
 
-Finding exact_finding(const Difference& difference, const Flip& seen) {
+Finding exact_finding(const Difference& difference, const Flip& seen, int step) {
     if (verdict(difference).same) return Finding::same;
-    return seen.mean <= limits.look_flip ? Finding::look : Finding::different;
+    return seen.mean <= look_flip(step) ? Finding::look : Finding::different;
 }
 
 Finding noisy_finding(const TileDifference& tiles, bool equal) {
@@ -88,17 +88,16 @@ std::string flip_in_words(const Flip& seen) {
     return words.str();
 }
 
-void explain_difference(Judgement& judgement, const StoredImage& test, const StoredImage& reference,
-                        const Variances& variances, const std::vector<KnownPicture>& known) {
-    judgement.explanation = explain(test, reference, variances);
+void explain_difference(Judgement& judgement, const Question& q) {
+    judgement.explanation = explain(q.test, q.reference, q.variances);
     if (judgement.explanation.empty()) judgement.explanation = none_of_these;
     judgement.lines.push_back(why(judgement));
-    if (known.empty()) return;
-    judgement.nearest = nearest_known(test, reference, variances, known);
+    if (q.known.empty()) return;
+    judgement.nearest = nearest_known(q.test, q.reference, q.variances, q.known);
     judgement.lines.push_back("known mistakes: " +
                               (judgement.nearest
                                    ? "this is the picture of " + joined(judgement.nearest.names)
-                                   : "none of " + counted(known.size(), "picture") + " is this one"));
+                                   : "none of " + counted(q.known.size(), "picture") + " is this one"));
 }
 
 /// A NaN is wrong however much noise there is.
@@ -113,11 +112,11 @@ bool tell_not_a_number(Judgement& judgement, const Image& test, const Image& ref
 }
 
 /// The verdict and the first line.
-void decide(Judgement& judgement, const Difference& difference, const Image& test, const Image& reference) {
-    Verdict words = judgement.tiles ? verdict(*judgement.tiles) : verdict(difference);
+void decide(Judgement& judgement, const Difference& difference, const Question& q) {
+    const Verdict words = judgement.tiles ? verdict(*judgement.tiles) : verdict(difference);
     judgement.finding = judgement.tiles ? noisy_finding(*judgement.tiles, judgement.rmse == 0)
-                                        : exact_finding(difference, judgement.flip);
-    if (tell_not_a_number(judgement, test, reference)) return;
+                                        : exact_finding(difference, judgement.flip, q.step);
+    if (tell_not_a_number(judgement, q.test.image, q.reference.image)) return;
     judgement.lines.push_back(headline(judgement.finding, words.words));
 }
 
@@ -166,6 +165,10 @@ vec3 signed_heat(double z) {
 
 } // namespace
 
+bool is_same(Finding finding) {
+    return finding == Finding::same || finding == Finding::noise;
+}
+
 const char* name_of(Finding finding) {
     switch (finding) {
     case Finding::same: return "same";
@@ -176,24 +179,25 @@ const char* name_of(Finding finding) {
     return "";
 }
 
-Judgement judge(const StoredImage& test, const StoredImage& reference, const Variances& variances,
-                const std::vector<KnownPicture>& known) {
-    check_same_size(test.image, reference.image);
-    check_channels(test, reference);
+Judgement judge(const Question& q) {
+    check_same_size(q.test.image, q.reference.image);
+    check_channels(q.test, q.reference);
+    const Pair pair = comparable(q.test, q.reference);
+    const Difference difference = rt::difference(pair.test, pair.reference);
     Judgement judgement;
-    judgement.flip = flip(reference.image, test.image);
-    judgement.rmse = root_mean_square(test.image, reference.image);
-    const Difference difference = stored_difference(test, reference);
-    if (variances.given())
-        judgement.tiles = tile_difference(test.image, reference.image, variances.test, variances.reference);
-    decide(judgement, difference, test.image, reference.image);
-    if (judgement.finding == Finding::same || judgement.finding == Finding::noise) return judgement;
-    judgement.where = judgement.tiles ? where(*judgement.tiles, test.image, reference.image)
-                                      : where(test.image, reference.image);
+    judgement.flip = flip(pair.reference, pair.test);
+    judgement.rmse = root_mean_square(pair.test, pair.reference);
+    if (q.variances.given())
+        judgement.tiles =
+            tile_difference(q.test.image, q.reference.image, q.variances.test, q.variances.reference);
+    decide(judgement, difference, q);
+    if (is_same(judgement.finding)) return judgement;
+    judgement.where = judgement.tiles ? where(*judgement.tiles, pair.test, pair.reference)
+                                      : where(pair.test, pair.reference);
     if (!judgement.where.words.empty()) judgement.lines.push_back("where: " + judgement.where.words);
     judgement.lines.push_back(judgement.tiles ? worst_tile(*judgement.tiles) : worst_pixel(difference));
     judgement.lines.push_back(flip_in_words(judgement.flip));
-    explain_difference(judgement, test, reference, variances, known);
+    explain_difference(judgement, q);
     return judgement;
 }
 

@@ -20,20 +20,28 @@ enum class Finding {
 };
 const char* name_of(Finding finding); ///< "same", "noise", "look", "different"
 
+bool is_same(Finding finding); ///< up to noise at least
+
 struct Judgement {
     Finding finding = Finding::different;
     std::vector<std::string> lines; ///< what to tell a person, the verdict first
     std::string explanation;        ///< as explain() says it
-    Flip flip;
-    double rmse = 0;                     ///< of linear light
+    Flip flip;       ///< of what two files of different kinds can tell: the rounding of a PNG is none
+    double rmse = 0; ///< of linear light
     std::optional<TileDifference> tiles; ///< where variances were given
     Where where;
     Nearest nearest;
 };
 
+struct Question {
+    StoredImage test, reference;
+    Variances variances{};             ///< if they are given, only what noise does not explain counts
+    std::vector<KnownPicture> known{}; ///< wrong pictures that the test may be
+    int step = 0;                      ///< of which step the pictures are, 0: of none
+};
+
 /// Throws Error if the pictures, or a known one, differ in size or number of channels.
-Judgement judge(const StoredImage& test, const StoredImage& reference, const Variances& variances = {},
-                const std::vector<KnownPicture>& known = {});
+Judgement judge(const Question& question);
 
 /// {"verdict", "explanation", "flip": {"mean", "max"}, "rmse", "tiles_over_4", "where", "nearest", "words"}, one
 /// line. tiles_over_4 is null where there are no variances, rmse where a pixel is not a number.

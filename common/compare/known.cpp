@@ -31,12 +31,14 @@ double mean_z(const TileDifference& tiles, const TileDifference* telling = nullp
 /// The distance to a known picture; none if the two do not agree, or the reference is about as near.
 std::optional<double> exact_distance(const StoredImage& test, const StoredImage& reference,
                                      const KnownPicture& known) {
-    if (root_mean_square(test.image, known.picture.image) >= root_mean_square(test.image, reference.image))
+    const Pair to_known = comparable(test, known.picture), to_reference = comparable(test, reference);
+    if (root_mean_square(to_known.test, to_known.reference) >=
+        root_mean_square(to_reference.test, to_reference.reference))
         return {};
-    const Flip seen = flip(known.picture.image, test.image);
+    const Flip seen = flip(to_known.reference, to_known.test);
     const bool looks_same = seen.mean <= limits.known_flip_mean && seen.max <= limits.known_flip_max;
-    if (!looks_same && !verdict(stored_difference(test, known.picture)).same) return {};
-    if (seen.mean > limits.known_nearer * flip(reference.image, test.image).mean) return {};
+    if (!looks_same && !verdict(difference(to_known.test, to_known.reference)).same) return {};
+    if (seen.mean > limits.known_nearer * flip(to_reference.reference, to_reference.test).mean) return {};
     return seen.mean;
 }
 

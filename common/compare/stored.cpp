@@ -50,6 +50,18 @@ void widen_png(float& low, float& high) {
     high = code > 254.5f ? infinity : decoded((code + 0.5f) / 255);
 }
 
+/// The same value where the spans overlap, else the ends that face each other.
+Pair facing(const Spans& test, const Spans& reference) {
+    check_same_size(test.low, reference.low);
+    Pair pair{test.low, reference.low};
+    for (std::size_t i = 0; i < pair.test.pixels.size(); ++i) {
+        vec3 &t = pair.test.pixels[i], &r = pair.reference.pixels[i];
+        r = min(max(t, r), reference.high.pixels[i]);
+        t = min(max(r, t), test.high.pixels[i]);
+    }
+    return pair;
+}
+
 } // namespace
 
 vec3 srgb_encoded(vec3 linear) {
@@ -79,20 +91,13 @@ Spans spans_of(const StoredImage& stored) {
 }
 
 Difference gap(const Spans& test, const Spans& reference) {
-    check_same_size(test.low, reference.low);
-    Image a = test.low, b = reference.low;
-    for (std::size_t i = 0; i < a.pixels.size();
-         ++i) { // the same value where they overlap, else the near ends
-        const vec3 low = test.low.pixels[i], high = test.high.pixels[i];
-        b.pixels[i] = min(max(low, reference.low.pixels[i]), reference.high.pixels[i]);
-        a.pixels[i] = min(max(b.pixels[i], low), high);
-    }
-    return difference(a, b);
+    const Pair pair = facing(test, reference);
+    return difference(pair.test, pair.reference);
 }
 
-Difference stored_difference(const StoredImage& test, const StoredImage& reference) {
-    if (test.storage == reference.storage) return difference(test.image, reference.image);
-    return gap(spans_of(test), spans_of(reference));
+Pair comparable(const StoredImage& test, const StoredImage& reference) {
+    if (test.storage == reference.storage) return {test.image, reference.image};
+    return facing(spans_of(test), spans_of(reference));
 }
 
 } // namespace rt

@@ -30,11 +30,17 @@ struct Spans {
 };
 Spans spans_of(const StoredImage& stored);
 
+/// Two pictures that difference() can compare.
+struct Pair {
+    Image test, reference;
+};
+
+/// As they are where both are stored alike, so that equal pictures have equal values; else the values in both spans
+/// that are nearest to each other.
+Pair comparable(const StoredImage& test, const StoredImage& reference);
+
 /// As difference(), of the gaps between the spans: where they overlap, the pictures agree.
 Difference gap(const Spans& test, const Spans& reference);
-
-/// difference() where both are stored alike, so that equal pictures have equal values; else gap().
-Difference stored_difference(const StoredImage& test, const StoredImage& reference);
 
 /// Both ways of the sRGB curve for all of a colour, without an end at 1.
 vec3 srgb_encoded(vec3 linear);
