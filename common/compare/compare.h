@@ -59,8 +59,8 @@ Difference difference(const Image& test, const Image& reference);
 TileDifference tile_difference(const Image& test, const Image& reference, const Image& test_variance,
                                const Image& reference_variance);
 
-/// Of the difference over all channels; not a number if one of the pictures holds such. Throws Error if the sizes
-/// differ.
+/// Of the difference over all channels; not a number if one of the pictures holds such. Throws Error if the
+/// sizes differ.
 double root_mean_square(const Image& test, const Image& reference);
 
 /// Alarms that are no reason to call a picture of this many tiles different.

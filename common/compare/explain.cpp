@@ -1,5 +1,5 @@
-// The simple explanations: each is a slip and what undoes it. One counts only if the pictures differ as they are
-// and agree once it is undone.
+// The simple explanations: each is a slip and what undoes it. One counts only if the pictures differ as they
+// are and agree once it is undone.
 #include "common/compare/explain.h"
 
 #include <algorithm>
@@ -211,16 +211,16 @@ Image blurred(const Image& image, int dx, int dy, std::array<float, 3> weights) 
 
 constexpr std::array<float, 3> smoothing{0.25f, 0.5f, 0.25f};
 
-/// So smooth (sigma 1.7 pixels) that the mean of two neighbours is the value half-way between them; a lamp counts
-/// as white, lest its edge outweighs the rest.
+/// So smooth (sigma 1.7 pixels) that the mean of two neighbours is the value half-way between them; a lamp
+/// counts as white, lest its edge outweighs the rest.
 Image smoothed(Image image) {
     for (vec3& pixel : image.pixels) pixel = min(pixel, vec3(1.0f));
     for (int i = 0; i < 6; ++i) image = blurred(blurred(image, 1, 0, smoothing), 0, 1, smoothing);
     return image;
 }
 
-/// Half a pixel along (dx, dy), each -1, 0 or 1: the mean with the neighbour. Along an axis that does not move,
-/// nothing happens.
+/// Half a pixel along (dx, dy), each -1, 0 or 1: the mean with the neighbour. Along an axis that does not
+/// move, nothing happens.
 Image half_shifted(const Image& image, int dx, int dy) {
     const Image x = dx == 0 ? image : blurred(image, dx, 0, {0, 0.5f, 0.5f});
     return dy == 0 ? x : blurred(x, 0, dy, {0, 0.5f, 0.5f});
@@ -239,7 +239,8 @@ double exact_shift_residue(const Image& test, const Image& reference, int dx, in
     return before > 0 ? root_mean_square(half_shifted(test, dx, dy), right) / before : 1;
 }
 
-/// Of the tiles that alarm. Neighbours share what they average, so a tile's sum stays about as noisy as it was.
+/// Of the tiles that alarm. Neighbours share what they average, so a tile's sum stays about as noisy as it
+/// was.
 double noisy_shift_residue(const Case& c, int dx, int dy) {
     const Variances& v = c.variances;
     const TileDifference before = tile_difference(c.test.image, c.reference.image, v.test, v.reference);
@@ -248,8 +249,8 @@ double noisy_shift_residue(const Case& c, int dx, int dy) {
     return before.alarms > 0 ? double(after.alarms) / before.alarms : 1;
 }
 
-/// "shifted half a pixel to the right and down", from the shift that undoes it: if a pixel and its right neighbour
-/// make what belongs here, all of it stands too far to the right.
+/// "shifted half a pixel to the right and down", from the shift that undoes it: if a pixel and its right
+/// neighbour make what belongs here, all of it stands too far to the right.
 std::string shift_in_words(int dx, int dy) {
     std::string words = dx == 0 ? "" : dx > 0 ? "to the right" : "to the left";
     if (dy != 0) words += std::string(words.empty() ? "" : " and ") + (dy > 0 ? "down" : "up");

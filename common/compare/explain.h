@@ -1,5 +1,5 @@
-// Why do two pictures differ? Undoes the usual slips on the test picture, one after the other, and names the one
-// with which the difference vanishes.
+// Why do two pictures differ? Undoes the usual slips on the test picture, one after the other, and names the
+// one with which the difference vanishes.
 #pragma once
 
 #include "common/compare/stored.h"
@@ -17,8 +17,9 @@ struct Variances {
     bool given() const { return !test.pixels.empty(); }
 };
 
-/// "flipped left to right", "red and blue swapped", ..., or none_of_these. Empty if there is nothing to explain:
-/// the pictures agree as they are, up to noise where variances are given. Throws Error if the sizes differ.
+/// "flipped left to right", "red and blue swapped", ..., or none_of_these. Empty if there is nothing to
+/// explain: the pictures agree as they are, up to noise where variances are given. Throws Error if the sizes
+/// differ.
 std::string explain(const StoredImage& test, const StoredImage& reference, const Variances& variances);
 
 /// All that is tried, in words, for a message that names it.

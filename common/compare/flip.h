@@ -1,4 +1,5 @@
-// Would a person see the difference? LDR-FLIP, from 0 (never) to 1, for every pixel (Andersson et al., HPG 2020).
+// Would a person see the difference? LDR-FLIP, from 0 (never) to 1, for every pixel (Andersson et al., HPG
+// 2020).
 #pragma once
 
 #include "common/image.h"

@@ -43,12 +43,12 @@ struct Question {
 /// Throws Error if the pictures, or a known one, differ in size or number of channels.
 Judgement judge(const Question& question);
 
-/// {"verdict", "explanation", "flip": {"mean", "max"}, "rmse", "tiles_over_4", "where", "nearest", "words"}, one
-/// line. tiles_over_4 is null where there are no variances, rmse where a pixel is not a number.
+/// {"verdict", "explanation", "flip": {"mean", "max"}, "rmse", "tiles_over_4", "where", "nearest", "words"},
+/// one line. tiles_over_4 is null where there are no variances, rmse where a pixel is not a number.
 std::string to_json(const Judgement& judgement);
 
-/// FLIP from black (no difference) to pale yellow (1); for noisy pictures the tiles' z, red where the test is too
-/// bright and blue where it is too dark. In linear light.
+/// FLIP from black (no difference) to pale yellow (1); for noisy pictures the tiles' z, red where the test is
+/// too bright and blue where it is too dark. In linear light.
 Image error_map(const Judgement& judgement);
 
 } // namespace rt

@@ -26,8 +26,8 @@ struct Nearest {
 Nearest nearest_known(const StoredImage& test, const StoredImage& reference, const Variances& variances,
                       const std::vector<KnownPicture>& known);
 
-/// All NAME.hdr and NAME.png of a folder, by name; the .hdr where there are both, and NAME.variance.hdr with it.
-/// Throws Error if there is no such folder, no picture in it, or one that cannot be read.
+/// All NAME.hdr and NAME.png of a folder, by name; the .hdr where there are both, and NAME.variance.hdr with
+/// it. Throws Error if there is no such folder, no picture in it, or one that cannot be read.
 std::vector<KnownPicture> read_known(const std::string& folder);
 
 } // namespace rt

@@ -1,5 +1,5 @@
-// A picture as a file holds it: each value is known up to the file's rounding, and what is white in a PNG may be
-// any brighter.
+// A picture as a file holds it: each value is known up to the file's rounding, and what is white in a PNG may
+// be any brighter.
 #pragma once
 
 #include "common/compare/compare.h"
@@ -35,8 +35,8 @@ struct Pair {
     Image test, reference;
 };
 
-/// As they are where both are stored alike, so that equal pictures have equal values; else the values in both spans
-/// that are nearest to each other.
+/// As they are where both are stored alike, so that equal pictures have equal values; else the values in both
+/// spans that are nearest to each other.
 Pair comparable(const StoredImage& test, const StoredImage& reference);
 
 /// As difference(), of the gaps between the spans: where they overlap, the pictures agree.

@@ -1,5 +1,5 @@
-// Facts about explaining: each slip is named where it was made, in floats, in files and under noise, and nothing is
-// claimed where nothing can be known.
+// Facts about explaining: each slip is named where it was made, in floats, in files and under noise, and
+// nothing is claimed where nothing can be known.
 #include "common/compare/explain.h"
 #include "tests/common/compare_pictures.h"
 

@@ -11,7 +11,7 @@
 
 namespace rt {
 
-/// Smooth light with a ball and a lamp in it, another in every corner, as seen through a window at (left, top).
+/// Smooth light with a ball in it and no symmetry, as seen through a window at (left, top).
 inline Image lopsided(int width, int height, float left = 0, float top = 0) {
     Image image(width, height);
     for (int y = 0; y < height; ++y)
