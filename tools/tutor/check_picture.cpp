@@ -67,15 +67,16 @@ PictureFinding judge_picture(const fs::path& root, const std::string& step, cons
     if (ended.code >= 128) return failed("the program crashed");
     if (ended.code != 0) return failed("the program says: " + read_file(said.string()));
 
-    Variances variances;
+    Question question{read_stored((out / (step + ".hdr")).string()),
+                      read_stored((references / (step + ".hdr")).string())};
+    question.step = std::stoi(step);
     if (fs::exists(variance))
-        variances = {read_image((out / (step + ".variance.hdr")).string()), read_image(variance.string())};
+        question.variances = {read_image((out / (step + ".variance.hdr")).string()),
+                              read_image(variance.string())};
     PictureFinding finding;
-    finding.judgement = judge(read_stored((out / (step + ".hdr")).string()),
-                              read_stored((references / (step + ".hdr")).string()), variances);
+    finding.judgement = judge(question);
     finding.verdict = name_of(finding.judgement->finding);
-    finding.holds =
-        finding.judgement->finding == Finding::same || finding.judgement->finding == Finding::noise;
+    finding.holds = is_same(finding.judgement->finding);
     finding.lines = finding.judgement->lines;
     finding.mine = out / (step + ".png");
     finding.reference = references / (step + ".png");
