@@ -71,6 +71,16 @@ std::vector<ReportCheck> some_checks() {
     return checks;
 }
 
+void add_mistake(Report& report) {
+    report.mistake_title = "the part along the normal is added in place of taken away";
+    report.mistake_confidence = "very likely: the same checks are red, with the same numbers";
+    report.mistake_shows = "reflections hang upside down under every ball.";
+    report.mistake_why =
+        "d.n is negative for a ray that meets the surface, so `- 2 (d.n) n` points outward. With "
+        "a plus the ray goes three times as steeply into the surface.";
+    report.mistake_fix = "write `direction - 2 * dot(direction, normal) * normal`.";
+}
+
 /// A check of step 03 with a mistake that is known.
 Report some_report(const Folder& folder) {
     Report report;
@@ -87,13 +97,7 @@ Report some_report(const Folder& folder) {
     report.mine = wrong_picture(folder, "03_mirror");
     report.reference = references + "03_mirror.png";
     report.map = difference_picture(folder, report.mine.string(), report.reference.string());
-    report.mistake_title = "the part along the normal is added in place of taken away";
-    report.mistake_confidence = "very likely: the same checks are red, with the same numbers";
-    report.mistake_shows = "reflections hang upside down under every ball.";
-    report.mistake_why =
-        "d.n is negative for a ray that meets the surface, so `- 2 (d.n) n` points outward. With "
-        "a plus the ray goes three times as steeply into the surface.";
-    report.mistake_fix = "write `direction - 2 * dot(direction, normal) * normal`.";
+    add_mistake(report);
     report.mistake_picture = references + "02_shadows.png";
     report.next = "./learn hint 03 reflect";
     report.settings = "640 x 400, 16 samples a pixel, seed 1";
@@ -133,11 +137,18 @@ Report unbuilt_report() {
     return report;
 }
 
-const std::string evil =
-    "</script><script>window.harm = 1</script><!-- <img src=x onerror=\"window.harm = 1\"> ' & \\ {{report}}";
+/// Markup, quotes, a second place for data, and a word that is wider than a phone.
+std::string evil_text() {
+    std::string text =
+        "</script><script>window.harm = 1</script><!-- <img src=x onerror=\"window.harm = 1\"> "
+        "' & \\ {{report}} ";
+    for (int i = 0; i < 12; ++i) text += "a_long_word";
+    return text;
+}
 
 /// Everywhere the same text, which would do harm as markup.
 Report evil_report(const Folder& folder) {
+    const std::string evil = evil_text();
     Report report = some_report(folder);
     report.step = "03_" + evil;
     for (std::string* text :
@@ -271,34 +282,36 @@ TEST_CASE("no text from outside is markup in the report") {
     CHECK(contains(page, "\\u003c/script\\u003e\\u003cscript\\u003ewindow.harm = 1"));
 }
 
+const char* const report_fields[] = {"\"step\": \"03_mirror\"",
+                                     "\"question\": \"what does the mirror see?\"",
+                                     "\"own_files\": [\"03_mirror/mirror.h\"]",
+                                     "\"01_spheres: 67 of 67 checks\"",
+                                     "\"verdict\": \"different\"",
+                                     "Too bright by 12 %",
+                                     "\"flip_mean\": 0.0731",
+                                     "\"flip_max\": 0.8124",
+                                     "\"tiles_over_4\": 17",
+                                     "\"title\": \"the part along",
+                                     "\"confidence\": \"very likely",
+                                     "\"shows\": \"reflections hang",
+                                     "\"why\": \"d.n is",
+                                     "\"fix\": \"write",
+                                     "\"next\": \"./learn hint 03 reflect\"",
+                                     "\"settings\": \"640 x 400",
+                                     "\"width\": 640",
+                                     "\"height\": 400",
+                                     "\"seconds\": null",
+                                     "\"seconds\": 0.0026",
+                                     "\"state\": \"unfinished\"",
+                                     "\"expected 0.6 within 1e-05, got -0.6\""};
+
 TEST_CASE("every field of the report is in its data") {
     const Folder folder;
     Report report = some_report(folder);
     report.tiles_over_4 = 17;
     report.checks[0].seconds = std::numeric_limits<double>::quiet_NaN();
     const std::string page = report_html(report);
-    for (const char* part : {"\"step\": \"03_mirror\"",
-                             "\"question\": \"what does the mirror see?\"",
-                             "\"own_files\": [\"03_mirror/mirror.h\"]",
-                             "\"01_spheres: 67 of 67 checks\"",
-                             "\"verdict\": \"different\"",
-                             "Too bright by 12 %",
-                             "\"flip_mean\": 0.0731",
-                             "\"flip_max\": 0.8124",
-                             "\"tiles_over_4\": 17",
-                             "\"title\": \"the part along",
-                             "\"confidence\": \"very likely",
-                             "\"shows\": \"reflections hang",
-                             "\"why\": \"d.n is",
-                             "\"fix\": \"write",
-                             "\"next\": \"./learn hint 03 reflect\"",
-                             "\"settings\": \"640 x 400",
-                             "\"width\": 640",
-                             "\"height\": 400",
-                             "\"seconds\": null",
-                             "\"seconds\": 0.0026",
-                             "\"state\": \"unfinished\"",
-                             "\"expected 0.6 within 1e-05, got -0.6\""})
+    for (const char* part : report_fields)
         CHECK_MESSAGE(contains(page, part), ("there is no " + std::string(part)));
 }
 
