@@ -46,6 +46,7 @@ PictureFinding failed(std::string line) {
 PictureFinding no_picture() {
     PictureFinding finding;
     finding.verdict = "none";
+    finding.lines = {"none: only the checks were asked for"};
     return finding;
 }
 
@@ -89,7 +90,7 @@ PictureFinding judge_picture(const fs::path& root, const std::string& step, cons
 }
 
 void fill(Report& report, const PictureFinding& finding) {
-    report.verdict = finding.verdict;
+    report.verdict = finding.judgement ? finding.verdict : finding.lines.front();
     report.verdict_lines = finding.lines;
     report.mine = finding.mine;
     report.reference = finding.reference;
