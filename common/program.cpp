@@ -231,10 +231,12 @@ void write_outputs(const Outputs& outputs, const Film& film) {
     std::cout << wrote << std::flush;
 }
 
-void run(const Options& options, const std::function<void(const RenderCall&)>& body, StopHandler& handler) {
+void run(const Options& options, const std::function<void(const RenderCall&)>& body,
+         const std::string& own_headers, StopHandler& handler) {
     const Picture& picture = options.picture();
     const Outputs outputs = checked_outputs(options);
     say(picture, headline(picture));
+    if (!own_headers.empty()) say(picture, "using your " + own_headers + "\n");
     std::optional<Film> film;
     double render_seconds = 0;
     const Clock::time_point start = Clock::now();
@@ -253,13 +255,13 @@ void run(const Options& options, const std::function<void(const RenderCall&)>& b
 } // namespace
 
 int run_program(Options& options, int argc, const char* const* argv,
-                const std::function<void(const RenderCall& render)>& body) {
+                const std::function<void(const RenderCall& render)>& body, const std::string& own_headers) {
     make_streams_safe();
     StopHandler handler(options.name());
     try {
         if (options.parse(argc, argv)) {
             use_threads(options.picture().threads);
-            run(options, body, handler);
+            run(options, body, own_headers, handler);
         }
         if (!std::cout.flush())
             throw Error(

@@ -1,0 +1,105 @@
+#!/usr/bin/env bash
+# A learner's way through the tutor, from start to undo, on the real steps and in a workshop that is gone at the end; and
+# what it says to wrong words.
+# tutor.sh TUTOR PROJECT: exit 0 if all is as it should be.
+set -u
+
+tutor=$1
+project=$2
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+workshop="$folder/my workshop" # a blank in a path breaks what quotes badly
+bad=0
+
+wrong() {
+    echo "WRONG: $1"
+    bad=1
+}
+
+run() { # sets $said, $erred and $code
+    said=$("$tutor" --root "$project" --workshop "$workshop" "$@" 2>"$folder/erred")
+    code=$?
+    erred=$(cat "$folder/erred")
+}
+
+says() { # $1: what it must say; the rest: the words
+    local part=$1
+    shift
+    run "$@"
+    [ $code = 0 ] || wrong "$*: exit $code and: $erred"
+    [[ $said == *"$part"* ]] || wrong "$*: expected '$part', got: $said"
+    [[ $said != *$'\x1b'* ]] || wrong "$*: colours where no terminal is"
+}
+
+refuses() { # $1: what the line says; the rest: the words
+    local part=$1
+    shift
+    run "$@"
+    if [ $code != 2 ] || [ -n "$said" ] || [ "$(wc -l <"$folder/erred")" != 1 ] || [[ $erred != *"$part"* ]]; then
+        wrong "$*: expected exit 2 and one line with '$part', got exit $code, '$said' and: $erred"
+    fi
+}
+
+# The way of a learner.
+says "next: ./learn start 01" status
+[ ! -e "$workshop" ] || wrong "looking at the status makes a folder"
+says "mirror.h:29  mirror_ray" start 03
+says "mirror.h is there already" start 3
+says "next: write reflect in" status
+says "Hint 1 of 3" hint 03 mirror_ray
+says "Hint 2 of 3" hint 03 mirror_ray
+says "Hint 2 of 3" hint 03 mirror_ray --again
+says "Hint 3 of 3" hint 03 mirror_ray
+says "no more hints" hint 03 mirror_ray
+says "Hint 1 of 3" hint 03 mirror_ray --all
+says "3 of 3  mirror_ray" hint 03
+says "begin anew" hint 03 mirror_ray --reset
+says "-    return ray_from(hit, reflect(ray.direction, hit.normal));" diff 03 mirror.h
+grep -v '^ *//[<>]' "$project/steps/03_mirror/mirror.h" >"$workshop/03_mirror/mirror.h"
+says "mirror.h: as the reference" diff 03 mirror.h
+says "2 of 4 functions begun" status
+says "to get it back: mv '" undo 03 mirror.h
+[ ! -e "$workshop/03_mirror/mirror.h" ] || wrong "undo leaves the file"
+back=$(printf '%s\n' "$said" | sed -n 's/^ *to get it back: //p')
+eval "$back" || wrong "the way back does not work: $back"
+says "as the reference" diff 03 mirror.h
+says "moved" undo 03
+says "03_mirror       not begun" status
+refuses "you have no files of 03_mirror" undo 03
+
+# Every step can be begun, in any order, and every exercise has its hints.
+for step in 08 01 07 02 06 03 05 04; do
+    says "Write " start $step
+    for name in $(printf '%s\n' "$said" | sed -n 's/^  .*\.h:[0-9]*  //p'); do
+        says "Hint 3 of 3" hint $step "$name" --all
+    done
+done
+
+# Wrong words.
+refuses "there is no step '9'" start 9
+refuses "there is no step '03/..'" hint 03/..
+refuses "03_mirror has no exercise 'mirror'; it has reflect, mirror_ray" hint 03 mirror
+refuses "there is no file 'mirror' in" diff 03 mirror
+refuses "there is no file '../../x' in" undo 03 ../../x
+refuses "STEP is required" start
+refuses "not expected" status now
+refuses "excludes" hint 03 mirror_ray --again --all
+run start 9 --help
+[ $code = 0 ] || wrong "start --help: exit $code"
+
+# Nothing half-written: a folder that is a file, and a disk that takes no byte more.
+workshop=$folder/erred
+refuses "cannot make the folder" start 03
+workshop=$folder/full
+(
+    ulimit -f 0
+    "$tutor" --root "$project" --workshop "$workshop" start 03
+) >/dev/null 2>"/dev/null"
+[ $? = 2 ] || wrong "a full disk is no error"
+left=$(find "$workshop" -type f)
+[ -z "$left" ] || wrong "a full disk leaves $left"
+
+for word in start status hint diff undo; do
+    "$project/learn" --help | grep -q "learn $word" || wrong "./learn --help does not name $word"
+done
+exit $bad

@@ -1,0 +1,142 @@
+// Facts about exercises: found in the reference, cut from it, found again in a learner's file.
+#include "tools/tutor/exercises.h"
+
+#include "common/error.h"
+#include "tests/tutor/folder.h"
+#include "tools/tutor/hints.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <set>
+
+using namespace rt;
+
+namespace {
+
+const Project real{RT_ROOT, "/nowhere"};
+
+std::vector<std::string> names_of(const std::vector<Exercise>& exercises) {
+    std::vector<std::string> names;
+    for (const Exercise& exercise : exercises) names.push_back(exercise.name);
+    return names;
+}
+
+/// What the reader says to a file with a fault in it.
+std::string complaint(const std::string& text) {
+    try {
+        find_exercises(text, "some.h");
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+} // namespace
+
+TEST_CASE("the eight steps have 47 exercises, each with a name of its own in its step") {
+    std::size_t count = 0;
+    for (const std::string& step : all_steps(real)) {
+        const std::vector<std::string> names = names_of(exercises_of(real, step));
+        CAPTURE(step);
+        CHECK(std::set<std::string>(names.begin(), names.end()).size() == names.size());
+        count += names.size();
+    }
+    CHECK(count == 47);
+}
+
+TEST_CASE("every exercise of the course has its three hints, and no hint is left over") {
+    for (const std::string& step : all_steps(real)) {
+        CAPTURE(step);
+        CHECK_NOTHROW(read_hints(RT_ROOT, step, exercises_of(real, step)));
+    }
+}
+
+TEST_CASE("an exercise is named after its function, and knows where it stands") {
+    const std::vector<Exercise> found = find_exercises(SmallProject::shape, "shape.h");
+    REQUIRE(found.size() == 2);
+    CHECK(found[0].function == "half");
+    CHECK(found[0].line == 5);
+    CHECK(found[0].last_line == 7);
+    CHECK(found[0].task == "divide by two");
+    CHECK(found[0].placeholder == "return x;");
+    CHECK(found[0].reference == std::vector<std::string>{"    return x / 2;"});
+    CHECK(found[1].function == "sign"); // its signature has two lines, and a template's above
+    CHECK(found[1].placeholder == "");
+}
+
+TEST_CASE("functions of one name are told apart by their file, regions of one function by a number") {
+    const SmallProject small;
+    CHECK(names_of(exercises_of(small.project, "02_two")) ==
+          std::vector<std::string>{"twin_base", "twin_above", "both", "both_2"});
+}
+
+TEST_CASE("a region without end is an error that names file and line") {
+    CHECK(complaint("int f() {\n    //> task\n    return 1;\n}\n") ==
+          "some.h:2: this region has no end (//<)");
+    CHECK(complaint("int f() {\n    //> a\n    //> b\n    //<\n}\n").find("some.h:2: ") == 0);
+}
+
+TEST_CASE("a region that has no beginning, no task or no function is an error that names file and line") {
+    CHECK(complaint("int f() {\n    //< return 1;\n}\n").find("some.h:2: ") == 0);
+    CHECK(complaint("int f() {\n    //>\n    //<\n}\n").find("some.h:2: ") == 0);
+    CHECK(complaint("int f() {\n}\n//> task\n//<\n").find("some.h:3: ") == 0);
+    CHECK(complaint("int f() {\n    ///< a comment\n    //> task\n    //<\n}\n") == "");
+}
+
+TEST_CASE("a stub has the task and the placeholder where the reference has the answer") {
+    const std::string stub = cut(SmallProject::shape, find_exercises(SmallProject::shape, "shape.h"));
+    CHECK(stub ==
+          "// Two functions.\n#pragma once\n\ninline float half(float x) {\n    // TODO: divide by two\n"
+          "    return x;\n}\n\ntemplate <typename T>\nint sign(T x,\n         T zero) {\n"
+          "    int result = 1;\n    // TODO: negative below zero\n    return result;\n}\n");
+}
+
+TEST_CASE("one exercise is cut alone, and the others stay") {
+    const std::vector<Exercise> found = find_exercises(SmallProject::shape, "shape.h");
+    const std::string stub = cut(SmallProject::shape, {found[1]});
+    CHECK(stub.find("return x / 2;") != std::string::npos);
+    CHECK(stub.find("result = -1") == std::string::npos);
+}
+
+TEST_CASE("no stub of the course shows a line of the answer's region or a marker") {
+    for (const std::string& step : all_steps(real))
+        for (const std::string& file : files_to_write(exercises_of(real, step))) {
+            const std::string text = text_of(steps_folder(real) / step / file);
+            const std::vector<Exercise> here = find_exercises(text, file);
+            const std::string stub = cut(text, here);
+            CAPTURE(step + "/" + file);
+            CHECK(find_exercises(stub, file).empty());
+            std::size_t kept = lines_of(text).size();
+            for (const Exercise& e : here) kept -= e.reference.size() + (e.placeholder.empty() ? 1 : 0);
+            CHECK(lines_of(stub).size() == kept);
+        }
+}
+
+TEST_CASE("a function that was not edited is untouched, whatever happened around it") {
+    const std::vector<Exercise> found = find_exercises(SmallProject::shape, "shape.h");
+    const std::string stub = cut(SmallProject::shape, found);
+    CHECK(is_untouched(found[0], stub, stub));
+    std::string mine = "// my own remark\n" + stub;
+    mine.replace(mine.find("    // TODO: divide by two\n"), 27, "");
+    mine.replace(mine.find("return x;"), 9, "return  x; // later");
+    CHECK(is_untouched(found[0], mine, stub)); // comments and blanks are no answer
+    mine.replace(mine.find("return  x;"), 10, "return x / 2;");
+    CHECK_FALSE(is_untouched(found[0], mine, stub));
+    CHECK(is_untouched(found[1], mine, stub));
+    CHECK_FALSE(is_untouched(found[0], "", stub));
+}
+
+TEST_CASE("an exercise is found at its TODO, and at its function once that is gone") {
+    const std::vector<Exercise> found = find_exercises(SmallProject::shape, "shape.h");
+    const std::string stub = cut(SmallProject::shape, found);
+    CHECK(place_of(found[1], stub) == 13);
+    CHECK(place_of(found[1], SmallProject::shape) == 11);
+    CHECK(place_of(found[1], "nothing\n") == 1);
+}
+
+TEST_CASE("the headers that a header needs come before it") {
+    const SmallProject small;
+    CHECK(included_headers({small.root / "steps"}, "02_two/above.h") ==
+          std::vector<std::string>{"01_one/shape.h", "02_two/base.h", "02_two/above.h"});
+}

@@ -1,0 +1,95 @@
+// Facts about hints: how their files are read, and that each call gives one tier more.
+#include "tools/tutor/hints.h"
+
+#include "common/error.h"
+#include "tests/tutor/folder.h"
+#include "tools/tutor/commands.h"
+
+#include <doctest/doctest.h>
+
+using namespace rt;
+
+namespace {
+
+std::string hint(const SmallProject& small, const std::string& name, HintWish wish = HintWish::next) {
+    return said_by([&](std::ostream& out) { show_hints(small.project, "01_one", name, wish, out); });
+}
+
+bool has(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+std::string complaint(const std::string& hints) {
+    const SmallProject small;
+    put(small.root / "hints/01_one.md", hints);
+    try {
+        read_hints(small.root, "01_one", exercises_of(small.project, "01_one"));
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+} // namespace
+
+TEST_CASE("each call gives the next hint, after the third there is no more") {
+    const SmallProject small;
+    const std::string first = hint(small, "half"), second = hint(small, "half"), third = hint(small, "half");
+    CHECK(has(first, "Hint 1 of 3\n  look twice\n"));
+    CHECK_FALSE(has(first, "formula"));
+    CHECK(has(second, "Hint 2 of 3\n  formula\n"));
+    CHECK_FALSE(has(second, "line\n\n"));
+    CHECK(has(third, "Hint 3 of 3\n  line\n"));
+    CHECK(has(third, "no more hints"));
+    CHECK(hint(small, "half") == third);
+    CHECK(has(hint(small, "sign"), "Hint 1 of 3")); // each exercise counts for itself
+}
+
+TEST_CASE("a hint can be repeated, all can be seen, and forgotten") {
+    const SmallProject small;
+    CHECK(has(hint(small, "half", HintWish::again), "Hint 1 of 3"));
+    hint(small, "half");
+    CHECK(has(hint(small, "half", HintWish::again), "Hint 2 of 3"));
+    CHECK(has(hint(small, "half", HintWish::again), "Hint 2 of 3"));
+    const std::string all = hint(small, "half", HintWish::all);
+    CHECK(has(all, "Hint 1 of 3"));
+    CHECK(has(all, "Hint 3 of 3"));
+    CHECK(has(hint(small, "half"), "no more hints"));
+    hint(small, "half", HintWish::reset);
+    CHECK(has(hint(small, "half"), "Hint 1 of 3"));
+}
+
+TEST_CASE("without a name the exercises of the step are listed, with how much was seen of each") {
+    const SmallProject small;
+    hint(small, "sign");
+    const std::string list = hint(small, "");
+    CHECK(has(list, "0 of 3  half (shape.h): divide by two"));
+    CHECK(has(list, "1 of 3  sign (shape.h)"));
+    hint(small, "", HintWish::reset);
+    CHECK(has(hint(small, ""), "0 of 3  sign"));
+}
+
+TEST_CASE("an unknown exercise is refused with the names that there are") {
+    const SmallProject small;
+    CHECK_THROWS_WITH_AS(hint(small, "quarter"), "01_one has no exercise 'quarter'; it has half, sign",
+                         Error);
+}
+
+TEST_CASE("hints that are missing, left over or not three are errors that name the file") {
+    CHECK(has(complaint("## half\n1. a\n2. b\n3. c\n"), "01_one.md: no hints for sign"));
+    const std::string both = "## half\n1. a\n2. b\n3. c\n## sign\n1. a\n2. b\n3. c\n";
+    CHECK(complaint(both) == "");
+    CHECK(has(complaint(both + "## quarter\n1. a\n2. b\n3. c\n"), "hints for quarter, which is no exercise"));
+    CHECK(has(complaint(both + "4. d\n"), "4 hints for sign, not three"));
+    CHECK(has(complaint("## half\n1. a\n## sign\n1. a\n2. b\n3. c\n"), "1 hints for half, not three"));
+    CHECK(has(complaint(both + "## half\n"), "01_one.md:9: a second set of hints for half"));
+    CHECK(has(complaint("## half\n2. a\n"), "01_one.md:2: expected '1. '"));
+    CHECK(has(complaint("1. a\n"), "01_one.md:1: a hint stands below '## name'"));
+}
+
+TEST_CASE("a damaged memory of hints starts anew") {
+    const SmallProject small;
+    put(small.own(".hints"), "01_one\thalf\tmany\n\n01_one\tsign\t2\nx\n");
+    CHECK(has(hint(small, "half"), "Hint 1 of 3"));
+    CHECK(has(hint(small, "sign"), "Hint 3 of 3"));
+}

@@ -1,0 +1,202 @@
+// Facts about the workshop: stubs never overwrite, files that are put aside are kept, and status says where one stands.
+#include "tools/tutor/workshop.h"
+
+#include "common/error.h"
+#include "tests/tutor/folder.h"
+#include "tools/tutor/commands.h"
+
+#include <doctest/doctest.h>
+
+#include <vector>
+
+using namespace rt;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string start(const SmallProject& small, const std::string& step) {
+    return said_by([&](std::ostream& out) { start_step(small.project, step, out); });
+}
+std::string status(const SmallProject& small) {
+    return said_by([&](std::ostream& out) { show_status(small.project, out); });
+}
+std::string undo(const SmallProject& small, const std::string& step, const std::string& file) {
+    return said_by([&](std::ostream& out) { undo_files(small.project, step, file, out); });
+}
+
+bool has(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+std::vector<fs::path> backups(const SmallProject& small, const std::string& step) {
+    std::vector<fs::path> found;
+    for (const auto& entry : fs::directory_iterator(small.own(".backup/" + step)))
+        found.push_back(entry.path());
+    return found;
+}
+
+void replace(const fs::path& path, const std::string& what, const std::string& by) {
+    std::string text = text_of(path);
+    text.replace(text.find(what), what.size(), by);
+    put(path, text);
+}
+
+} // namespace
+
+TEST_CASE("start cuts the files that have exercises, and no others") {
+    const SmallProject small;
+    const std::string said = start(small, "01_one");
+    CHECK(own_files(small.project, "01_one") == std::vector<std::string>{"shape.h"});
+    CHECK(has(text_of(small.own("01_one/shape.h")), "// TODO: divide by two"));
+    CHECK(has(said, "is one enough?"));
+    CHECK(has(said, "shape.h:5  half\n      divide by two\n"));
+    CHECK(has(said, "./learn check 01"));
+}
+
+TEST_CASE("start never overwrites what is there, and says so") {
+    const SmallProject small;
+    put(small.own("02_two/base.h"), "// mine\n");
+    const std::string said = start(small, "02_two");
+    CHECK(text_of(small.own("02_two/base.h")) == "// mine\n");
+    CHECK(has(said, "base.h is there already: left as it is"));
+    CHECK(has(text_of(small.own("02_two/above.h")), "TODO"));
+    put(small.own("02_two/above.h"), "");
+    start(small, "02_two");
+    CHECK(text_of(small.own("02_two/above.h")) == "");
+}
+
+TEST_CASE("start does not write through a link that leads nowhere") {
+    const SmallProject small;
+    fs::create_directories(small.own("01_one"));
+    fs::create_symlink(small.root / "elsewhere.h", small.own("01_one/shape.h"));
+    CHECK_THROWS_AS(start(small, "01_one"), Error); // there is nothing to read where the tasks should stand
+    CHECK_FALSE(fs::exists(small.root / "elsewhere.h"));
+}
+
+TEST_CASE("start names the files of earlier steps that are the learner's") {
+    const SmallProject small;
+    CHECK_FALSE(has(start(small, "02_two"), "yours"));
+    start(small, "01_one");
+    CHECK(has(start(small, "02_two"), "yours  01_one/shape.h:"));
+}
+
+TEST_CASE("where no folder can be made, start says so and leaves nothing") {
+    const SmallProject small;
+    put(small.root / "workshop", "a file, not a folder");
+    CHECK_THROWS_AS(start(small, "01_one"), Error);
+    CHECK(text_of(small.root / "workshop") == "a file, not a folder");
+}
+
+TEST_CASE("3, 03 and the full name mean a step, and anything else is refused") {
+    const SmallProject small;
+    for (const char* word : {"2", "02", "02_two"}) CHECK(find_step(small.project, word) == "02_two");
+    for (const char* word : {"", "3", "two", "002", "../steps/02_two", "02_two/"})
+        CHECK_THROWS_AS(find_step(small.project, word), Error);
+}
+
+TEST_CASE("undo keeps the file under the time of day, and a second one of the same second too") {
+    const SmallProject small;
+    for (const std::string text : {"first", "second", "third"}) {
+        put(small.own("01_one/shape.h"), text);
+        CHECK(has(undo(small, "01_one", "shape.h"), "to get it back: mv "));
+        CHECK_FALSE(fs::exists(small.own("01_one/shape.h")));
+    }
+    std::string all;
+    for (const fs::path& path : backups(small, "01_one")) {
+        all += text_of(path) + " ";
+        CHECK(path.filename().string().starts_with("shape.h.20"));
+    }
+    CHECK(all.size() == std::string("first second third ").size());
+}
+
+TEST_CASE("undo of a step moves all of its files") {
+    const SmallProject small;
+    start(small, "02_two");
+    undo(small, "02_two", "");
+    CHECK(own_files(small.project, "02_two").empty());
+    CHECK(backups(small, "02_two").size() == 2);
+    CHECK_THROWS_AS(undo(small, "02_two", ""), Error);
+}
+
+TEST_CASE("undo moves nothing but files of the step") {
+    const SmallProject small;
+    start(small, "01_one");
+    for (const char* word : {"plain.h", "../01_one/shape.h", "..", "shape"})
+        CHECK_THROWS_AS(undo(small, "01_one", word), Error);
+    CHECK(fs::exists(small.own("01_one/shape.h")));
+    undo(small, "01_one", "workshop/01_one/shape.h");
+    CHECK_FALSE(fs::exists(small.own("01_one/shape.h")));
+}
+
+TEST_CASE("status counts the functions that differ from their placeholder, and says what is next") {
+    const SmallProject small;
+    CHECK(has(status(small), "01_one          not begun"));
+    CHECK(has(status(small), "next: ./learn start 01"));
+    start(small, "01_one");
+    CHECK(has(status(small), "0 of 2 functions begun; not checked yet"));
+    CHECK(has(status(small), "next: write half in "));
+    replace(small.own("01_one/shape.h"), "return x;", "return x / 2;");
+    CHECK(has(status(small), "1 of 2 functions begun"));
+    CHECK(has(status(small), "next: write sign in "));
+    replace(small.own("01_one/shape.h"), "    return result", "    return x < zero ? -1 : result");
+    CHECK(has(status(small), "2 of 2 functions begun"));
+    CHECK(has(status(small), "next: ./learn check 01"));
+}
+
+TEST_CASE("status tells what the last check found, and whether the files changed since") {
+    const SmallProject small;
+    put(small.own("01_one/shape.h"), SmallProject::shape);
+    write_check(small.project, "01_one", {7, 0, "same", fingerprint(small.project, "01_one")});
+    CHECK(has(status(small), "done  01_one"));
+    CHECK(has(status(small), "7 of 7 checks passed, the picture is the reference's\n"));
+    CHECK(has(status(small), "next: ./learn start 02"));
+    replace(small.own("01_one/shape.h"), "x / 2", "x / 3");
+    CHECK_FALSE(has(status(small), "done"));
+    CHECK(has(status(small), "changed since"));
+    CHECK(has(status(small), "next: ./learn check 01"));
+    write_check(small.project, "01_one", {5, 2, "different", fingerprint(small.project, "01_one")});
+    CHECK(has(status(small), "5 of 7 checks passed, the picture is another\n"));
+    CHECK_FALSE(has(status(small), "done"));
+}
+
+TEST_CASE("a step is done only if its picture is right too") {
+    for (const char* verdict : {"same", "noise"}) CHECK(all_well({3, 0, verdict, ""}));
+    for (const char* verdict : {"look", "different", "", "none"}) CHECK_FALSE(all_well({3, 0, verdict, ""}));
+    CHECK_FALSE(all_well({3, 1, "same", ""}));
+    CHECK_FALSE(all_well({0, 0, "same", ""}));
+}
+
+TEST_CASE("a check of one step leaves what is known of the others, and damaged lines are passed over") {
+    const SmallProject small;
+    put(small.own(".state"), "01_one\t3\t0\tsame\tabc\ngarbage\n02_two\tx\t0\tsame\tabc\n\n");
+    write_check(small.project, "02_two", {1, 2, "look", "def"});
+    const auto checks = read_checks(small.project);
+    CHECK(checks.size() == 2);
+    CHECK(checks.at("01_one").passed == 3);
+    CHECK(checks.at("02_two").failed == 2);
+    CHECK(text_of(small.own(".state")) == "01_one\t3\t0\tsame\tabc\n02_two\t1\t2\tlook\tdef\n");
+}
+
+TEST_CASE("a fingerprint changes with the files of the step and of those before it, not of those after") {
+    const SmallProject small;
+    const std::string nothing = fingerprint(small.project, "01_one");
+    put(small.own("02_two/base.h"), "x");
+    CHECK(fingerprint(small.project, "01_one") == nothing);
+    const std::string two = fingerprint(small.project, "02_two");
+    CHECK(two != nothing);
+    put(small.own("01_one/shape.h"), "x");
+    CHECK(fingerprint(small.project, "01_one") != nothing);
+    CHECK(fingerprint(small.project, "02_two") != two);
+    CHECK(nothing.size() == 16);
+}
+
+TEST_CASE("all steps done, there is nothing left") {
+    const SmallProject small;
+    put(small.own("01_one/shape.h"), SmallProject::shape);
+    put(small.own("02_two/base.h"), SmallProject::base);
+    for (const char* step : {"01_one", "02_two"})
+        write_check(small.project, step, {1, 0, "noise", fingerprint(small.project, step)});
+    CHECK(has(status(small), "all steps are yours"));
+    CHECK(has(status(small), "3 more stand as in the reference")); // above.h was never begun
+}

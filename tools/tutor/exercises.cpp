@@ -1,0 +1,243 @@
+// Reads the reference line by line: it is formatted by a machine, so a function begins and ends in column 0.
+#include "tools/tutor/exercises.h"
+
+#include "common/error.h"
+#include "common/file_bytes.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+
+namespace rt {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string todo = "// TODO: ";
+
+std::string trimmed(const std::string& text) {
+    const auto first = text.find_first_not_of(" \t\r");
+    if (first == std::string::npos) return "";
+    return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+/// What follows `mark` where a line begins with it.
+std::optional<std::string> after(const std::string& line, const std::string& mark) {
+    const std::string text = trimmed(line);
+    if (!text.starts_with(mark)) return std::nullopt;
+    return trimmed(text.substr(mark.size()));
+}
+
+std::optional<std::string> opening(const std::string& line) {
+    return after(line, "//>");
+}
+std::optional<std::string> closing(const std::string& line) {
+    return after(line, "//<");
+}
+
+std::string indentation(const std::string& line) {
+    return line.substr(0, line.find_first_not_of(' '));
+}
+
+[[noreturn]] void refuse(const std::string& path, int line, const std::string& what) {
+    throw Error(path + ":" + std::to_string(line) + ": " + what);
+}
+
+/// "mirror_ray" from "inline Ray mirror_ray(const Ray& ray, ..."; nothing for what is no function.
+std::optional<std::string> function_name(const std::string& line) {
+    if (line.empty() || std::string(" \t/}#").find(line[0]) != std::string::npos) return std::nullopt;
+    const auto bracket = line.find('(');
+    if (bracket == std::string::npos) return std::nullopt;
+    const auto before = line.find_last_not_of(
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_", bracket == 0 ? 0 : bracket - 1);
+    const auto first = before == std::string::npos ? 0 : before + 1;
+    if (first >= bracket) return std::nullopt;
+    return line.substr(first, bracket - first);
+}
+
+/// Notes the function whose body line number `line` stands in.
+void find_function(Exercise& exercise, const std::vector<std::string>& lines, const std::string& path) {
+    for (int line = exercise.line; line > 0; --line) {
+        const std::string& text = lines[std::size_t(line) - 1];
+        if (text.starts_with("}")) break;
+        if (const auto name = function_name(text)) {
+            exercise.function = *name;
+            exercise.function_line = line;
+            return;
+        }
+    }
+    refuse(path, exercise.line, "this region stands in no function");
+}
+
+/// The text from the beginning of a function to its end, without blanks and comments. `line` from 1.
+std::string bare_function(const std::vector<std::string>& lines, std::size_t line) {
+    std::string bare;
+    for (; line <= lines.size(); ++line) {
+        const std::string& text = lines[line - 1];
+        for (const char c : text.substr(0, text.find("//")))
+            if (c != ' ' && c != '\t' && c != '\r') bare += c;
+        if (text.starts_with("}")) break;
+    }
+    return bare;
+}
+
+/// The headers of steps that a file names: #include "01_spheres/ray.h".
+std::vector<std::string> named_headers(const std::string& text) {
+    std::vector<std::string> headers;
+    for (const std::string& line : lines_of(text)) {
+        const auto rest = after(line, "#include");
+        if (!rest || rest->size() < 4 || (*rest)[0] != '"' || (*rest)[1] < '0' || (*rest)[1] > '9') continue;
+        headers.push_back(rest->substr(1, rest->find('"', 1) - 1));
+    }
+    return headers;
+}
+
+void visit(const std::vector<fs::path>& folders, const std::string& header, std::set<std::string>& met,
+           std::vector<std::string>& order) {
+    if (!met.insert(header).second) return;
+    std::error_code ignored;
+    for (const fs::path& folder : folders) {
+        if (!fs::is_regular_file(folder / header, ignored)) continue;
+        for (const std::string& next : named_headers(read_file((folder / header).string())))
+            visit(folders, next, met, order);
+        break;
+    }
+    order.push_back(header);
+}
+
+/// The headers of a step, each after those that it includes.
+std::vector<std::string> headers_in_order(const fs::path& steps, const std::string& step) {
+    std::vector<std::string> headers, order;
+    for (const auto& entry : fs::directory_iterator(steps / step))
+        if (entry.path().extension() == ".h") headers.push_back(entry.path().filename().string());
+    std::ranges::sort(headers);
+    std::set<std::string> met;
+    std::vector<std::string> all;
+    for (const std::string& header : headers) visit({steps}, step + "/" + header, met, all);
+    for (const std::string& header : all)
+        if (header.starts_with(step + "/")) order.push_back(header.substr(step.size() + 1));
+    return order;
+}
+
+/// Gives each exercise a name of its own.
+void name_exercises(std::vector<Exercise>& exercises) {
+    std::map<std::string, std::set<std::string>> functions; // by name: where such functions begin
+    for (const Exercise& e : exercises)
+        functions[e.function].insert(e.file + ":" + std::to_string(e.function_line));
+    std::map<std::string, int> met;
+    for (Exercise& e : exercises) {
+        e.name = e.function;
+        if (functions[e.function].size() > 1) e.name += "_" + fs::path(e.file).stem().string();
+        const int count = ++met[e.name];
+        if (count > 1) e.name += "_" + std::to_string(count);
+    }
+}
+
+} // namespace
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        lines.push_back(text.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return lines;
+}
+
+std::vector<Exercise> find_exercises(const std::string& text, const std::string& path) {
+    const std::vector<std::string> lines = lines_of(text);
+    std::vector<Exercise> found;
+    bool open = false;
+    for (int number = 1; number <= int(lines.size()); ++number) {
+        const std::string& line = lines[std::size_t(number) - 1];
+        if (const auto task = opening(line)) {
+            if (open) refuse(path, found.back().line, "this region has no end (//<) before the next one");
+            if (task->empty()) refuse(path, number, "this region names no task after //>");
+            found.push_back({.line = number, .task = *task});
+            find_function(found.back(), lines, path);
+            open = true;
+        } else if (const auto placeholder = closing(line)) {
+            if (!open) refuse(path, number, "a region ends here (//<) that did not begin (//>)");
+            found.back().last_line = number;
+            found.back().placeholder = *placeholder;
+            open = false;
+        } else if (open) {
+            found.back().reference.push_back(line);
+        }
+    }
+    if (open) refuse(path, found.back().line, "this region has no end (//<)");
+    return found;
+}
+
+std::vector<Exercise> find_step_exercises(const fs::path& steps, const std::string& step) {
+    std::vector<Exercise> all;
+    for (const std::string& file : headers_in_order(steps, step)) {
+        const std::string path = (steps / step / file).string();
+        for (Exercise exercise : find_exercises(read_file(path), path)) {
+            exercise.step = step;
+            exercise.file = file;
+            all.push_back(std::move(exercise));
+        }
+    }
+    name_exercises(all);
+    return all;
+}
+
+std::string cut(const std::string& text, const std::vector<Exercise>& exercises) {
+    const std::vector<std::string> lines = lines_of(text);
+    std::string stub;
+    for (int number = 1; number <= int(lines.size()); ++number) {
+        const std::string& line = lines[std::size_t(number) - 1];
+        const auto here = std::ranges::find(exercises, number, &Exercise::line);
+        if (here == exercises.end()) {
+            stub += line + "\n";
+            continue;
+        }
+        stub += indentation(line) + todo + here->task + "\n";
+        if (!here->placeholder.empty()) stub += indentation(line) + here->placeholder + "\n";
+        number = here->last_line;
+    }
+    return stub;
+}
+
+std::string without_markers(const std::string& text) {
+    std::string clean;
+    for (const std::string& line : lines_of(text))
+        if (!opening(line) && !closing(line)) clean += line + "\n";
+    return clean;
+}
+
+int place_of(const Exercise& exercise, const std::string& text) {
+    const std::vector<std::string> lines = lines_of(text);
+    int function = 0, number = 0;
+    for (const std::string& line : lines) {
+        ++number;
+        if (after(line, trimmed(todo)) == exercise.task) return number;
+        if (function == 0 && function_name(line) == exercise.function) function = number;
+    }
+    return std::max(function, 1);
+}
+
+bool is_untouched(const Exercise& exercise, const std::string& text, const std::string& stub) {
+    const std::vector<std::string> lines = lines_of(text), stub_lines = lines_of(stub);
+    std::set<std::string> functions;
+    for (std::size_t line = 1; line <= lines.size(); ++line)
+        if (function_name(lines[line - 1]) == exercise.function) functions.insert(bare_function(lines, line));
+    const int task = place_of(exercise, stub);
+    for (std::size_t line = std::size_t(task); line > 0; --line)
+        if (function_name(stub_lines[line - 1]) == exercise.function)
+            return functions.contains(bare_function(stub_lines, line));
+    return false;
+}
+
+std::vector<std::string> included_headers(const std::vector<fs::path>& folders, const std::string& header) {
+    std::set<std::string> met;
+    std::vector<std::string> order;
+    visit(folders, header, met, order);
+    return order;
+}
+
+} // namespace rt

@@ -1,0 +1,220 @@
+// Finds the learner's files, and remembers in two small text files what was checked and which hints were shown.
+#include "tools/tutor/workshop.h"
+
+#include "common/error.h"
+#include "common/file_bytes.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdint>
+#include <cstdio>
+
+namespace rt {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* same_line = ", ";
+
+template <typename Names>
+std::string joined(const Names& names, const std::string& between) {
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "" : between) + name;
+    return text;
+}
+
+/// A word of the command line, as it may stand in a message.
+std::string quoted(const std::string& word) {
+    std::string text = "'";
+    for (const char c : word) text += (unsigned(c) & 0xff) < 0x20 ? ' ' : c;
+    return text + "'";
+}
+
+std::string number_of(const std::string& step) {
+    return step.substr(0, step.find('_'));
+}
+
+std::vector<std::string> fields_of(const std::string& line) {
+    std::vector<std::string> fields(1);
+    for (const char c : line)
+        if (c == '\t')
+            fields.emplace_back();
+        else if (c != '\r')
+            fields.back() += c;
+    return fields;
+}
+
+/// A number from 0, or -1 for what is none.
+int count_in(const std::string& field) {
+    int count = -1;
+    const char* const end = field.data() + field.size();
+    const auto [read, failure] = std::from_chars(field.data(), end, count);
+    return failure == std::errc() && read == end && count >= 0 ? count : -1;
+}
+
+/// The lines of one of the tutor's own files in the workshop, as fields; none if it is not there.
+std::vector<std::vector<std::string>> read_table(const fs::path& path) {
+    std::vector<std::vector<std::string>> table;
+    std::error_code ignored;
+    if (!fs::exists(path, ignored)) return table;
+    for (const std::string& line : lines_of(read_file(path.string()))) table.push_back(fields_of(line));
+    return table;
+}
+
+/// FNV-1a: it only has to notice that a file was edited.
+void hash_bytes(std::uint64_t& hash, const std::string& bytes) {
+    for (const char c : bytes) hash = (hash ^ (unsigned(c) & 0xff)) * 0x100000001b3;
+    hash = (hash ^ 0x100) * 0x100000001b3; // an end, so that "a" "bc" is not "ab" "c"
+}
+
+} // namespace
+
+fs::path steps_folder(const Project& project) {
+    return project.root / "steps";
+}
+
+std::vector<std::string> all_steps(const Project& project) {
+    std::vector<std::string> steps;
+    std::error_code ignored;
+    for (const auto& entry : fs::directory_iterator(steps_folder(project), ignored))
+        if (fs::is_regular_file(entry.path() / "main.cpp", ignored))
+            steps.push_back(entry.path().filename().string());
+    if (steps.empty())
+        throw Error("there are no steps in " + shown(steps_folder(project)) +
+                    ": --root names the project's folder");
+    std::ranges::sort(steps);
+    return steps;
+}
+
+std::string find_step(const Project& project, const std::string& word) {
+    const std::vector<std::string> steps = all_steps(project);
+    for (const std::string& step : steps)
+        if (word == step || word == number_of(step) || "0" + word == number_of(step)) return step;
+    throw Error("there is no step " + quoted(word) + "; the steps are " + joined(steps, same_line));
+}
+
+std::string question_of(const Project& project, const std::string& step) {
+    const std::string path = (steps_folder(project) / step / "main.cpp").string();
+    const std::vector<std::string> lines = lines_of(read_file(path));
+    const std::string first = lines.empty() ? "" : lines.front();
+    const auto asks = first.find("asks: ");
+    return asks == std::string::npos ? "" : first.substr(asks + 6);
+}
+
+std::vector<Exercise> exercises_of(const Project& project, const std::string& step) {
+    return find_step_exercises(steps_folder(project), step);
+}
+
+Exercise find_exercise(const Project& project, const std::string& step, const std::string& name) {
+    const std::vector<Exercise> exercises = exercises_of(project, step);
+    const auto found = std::ranges::find(exercises, name, &Exercise::name);
+    if (found != exercises.end()) return *found;
+    std::vector<std::string> names;
+    for (const Exercise& exercise : exercises) names.push_back(exercise.name);
+    throw Error(step + " has no exercise " + quoted(name) + "; it has " + joined(names, same_line));
+}
+
+std::vector<std::string> files_to_write(const std::vector<Exercise>& exercises) {
+    std::vector<std::string> files;
+    for (const Exercise& exercise : exercises)
+        if (std::ranges::find(files, exercise.file) == files.end()) files.push_back(exercise.file);
+    return files;
+}
+
+std::vector<std::string> own_files(const Project& project, const std::string& step) {
+    std::vector<std::string> files;
+    std::error_code ignored;
+    for (const auto& entry : fs::directory_iterator(project.workshop / step, ignored))
+        if (fs::is_regular_file(entry.path(), ignored)) files.push_back(entry.path().filename().string());
+    std::ranges::sort(files);
+    return files;
+}
+
+std::string find_own_file(const Project& project, const std::string& step, const std::string& word) {
+    const std::vector<std::string> files = own_files(project, step);
+    const std::string folder = shown(project.workshop / step);
+    if (files.empty())
+        throw Error("you have no files of " + step + ": ./learn start " + number_of(step) + " makes them");
+    for (const std::string& file : files)
+        if (word == file || word == step + "/" + file || word == "workshop/" + step + "/" + file ||
+            word == folder + "/" + file)
+            return file;
+    throw Error("there is no file " + quoted(word) + " in " + folder + "; there is " +
+                joined(files, same_line));
+}
+
+std::string shown(const fs::path& path) {
+    std::error_code failure;
+    const fs::path near = fs::proximate(path, failure);
+    return failure || near.empty() || *near.begin() == ".." ? path.lexically_normal().string()
+                                                            : near.string();
+}
+
+std::string shown(const fs::path& path, int line) {
+    return shown(path) + ":" + std::to_string(line);
+}
+
+void make_folder(const fs::path& folder) {
+    std::error_code failure;
+    fs::create_directories(folder, failure);
+    if (failure || !fs::is_directory(folder, failure))
+        throw Error("cannot make the folder " + shown(folder) + " (" + failure.message() + ")");
+}
+
+std::map<std::string, LastCheck> read_checks(const Project& project) {
+    std::map<std::string, LastCheck> checks;
+    for (const auto& fields : read_table(project.workshop / ".state")) {
+        if (fields.size() != 5) continue;
+        const LastCheck check{count_in(fields[1]), count_in(fields[2]), fields[3], fields[4]};
+        if (check.passed >= 0 && check.failed >= 0) checks[fields[0]] = check;
+    }
+    return checks;
+}
+
+void write_check(const Project& project, const std::string& step, const LastCheck& check) {
+    std::map<std::string, LastCheck> checks = read_checks(project);
+    checks[step] = check;
+    std::string text;
+    for (const auto& [name, c] : checks)
+        text += name + "\t" + std::to_string(c.passed) + "\t" + std::to_string(c.failed) + "\t" + c.verdict +
+                "\t" + c.fingerprint + "\n";
+    make_folder(project.workshop);
+    write_file((project.workshop / ".state").string(), text);
+}
+
+bool all_well(const LastCheck& check) {
+    return check.passed > 0 && check.failed == 0 && (check.verdict == "same" || check.verdict == "noise");
+}
+
+std::string fingerprint(const Project& project, const std::string& step) {
+    std::uint64_t hash = 0xcbf29ce484222325;
+    for (const std::string& each : all_steps(project)) {
+        if (each > step) break;
+        for (const std::string& file : own_files(project, each)) {
+            hash_bytes(hash, each + "/" + file);
+            hash_bytes(hash, read_file((project.workshop / each / file).string()));
+        }
+    }
+    std::array<char, 17> digits{};
+    std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(hash));
+    return digits.data();
+}
+
+ShownHints read_shown_hints(const Project& project) {
+    ShownHints hints;
+    for (const auto& fields : read_table(project.workshop / ".hints"))
+        if (fields.size() == 3 && count_in(fields[2]) >= 0)
+            hints[fields[0] + "\t" + fields[1]] = count_in(fields[2]);
+    return hints;
+}
+
+void write_shown_hints(const Project& project, const ShownHints& hints) {
+    std::string text;
+    for (const auto& [exercise, count] : hints) text += exercise + "\t" + std::to_string(count) + "\n";
+    make_folder(project.workshop);
+    write_file((project.workshop / ".hints").string(), text);
+}
+
+} // namespace rt
