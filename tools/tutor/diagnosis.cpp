@@ -71,6 +71,14 @@ void read_event(const std::vector<std::string>& parts, std::vector<CheckResult>&
     result.seconds = std::atof(part(3).c_str());
 }
 
+/// The file that the check stands in, if one of its assertions failed.
+std::string file_of(const CheckResult& result) {
+    for (const Failure& failure : result.failures)
+        if (const std::size_t colon = failure.place.rfind(':'); colon != std::string::npos && colon > 0)
+            return std::filesystem::path(failure.place.substr(0, colon)).filename().string();
+    return "";
+}
+
 /// The end of the number that begins at `begin`, or `begin` if none does.
 std::size_t end_of_number(std::string_view text, std::size_t begin) {
     if (begin > 0 && is_word(text[begin - 1])) return begin;
@@ -126,7 +134,12 @@ Signature signature_of(const std::string& id, const std::vector<CheckResult>& re
         else
             ++same->times;
     };
+    std::string file;
     for (const CheckResult& result : results) {
+        if (!has_failed(result)) continue;
+        const std::string own = file_of(result);
+        if (!file.empty() && !own.empty() && own != file) break;
+        file = own.empty() ? file : own;
         for (const Failure& failure : result.failures) add(result.name, failure.expression, failure.values);
         if (result.state == CheckState::unfinished) add(result.name, not_ended, "");
     }

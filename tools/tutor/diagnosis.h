@@ -50,6 +50,7 @@ struct Signature {
 /// Numbers with four significant digits, at most 100 characters.
 std::string rounded(std::string_view values);
 
+/// Of the first file of checks in which something fails: what later files say adds nothing to it.
 Signature signature_of(const std::string& id, const std::vector<CheckResult>& results);
 
 /// The text of a .signatures file, and back. The second throws Error, which names `path` and the line.

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <set>
 
 namespace rt {
@@ -15,6 +16,11 @@ namespace rt {
 namespace fs = std::filesystem;
 
 namespace {
+
+/// What takes least time in all, measured: the checks of the early steps are quick even if they are compiled quickly.
+std::string optimisation(const std::string& step) {
+    return step < "05" || step.starts_with("06") ? "-O0" : "-O1";
+}
 
 constexpr RunLimits check_limits{.cpu_seconds = 30, .seconds = 300, .memory = std::uint64_t(4) << 30};
 
@@ -66,29 +72,29 @@ std::string object_key(const Toolchain& tools, const Change& change, const std::
     Hash hash;
     std::set<std::string> seen;
     hash.add(tools.fixed);
+    hash.add(optimisation(fs::path(source).filename().string()));
     add_with_includes(tools, change, source, seen, hash);
     return hash.text();
 }
 
-/// "tests/03_mirror.cpp" and others of the step.
-std::vector<std::string> check_sources(const Toolchain& tools, const std::string& step, bool statistics) {
+/// "tests/03_mirror.cpp" and others of the step, in the order in which doctest runs them; the slow statistics last.
+std::vector<std::string> check_sources(const Toolchain& tools, const std::string& step) {
     std::vector<std::string> sources;
     for (const auto& entry : fs::directory_iterator(tools.root / "tests")) {
         const std::string name = entry.path().filename().string();
-        const bool slow = name.find("_statistics") != std::string::npos;
-        if (name.starts_with(step) && name.ends_with(".cpp") && slow == statistics)
-            sources.push_back("tests/" + name);
+        if (name.starts_with(step) && name.ends_with(".cpp")) sources.push_back("tests/" + name);
     }
     std::ranges::sort(sources);
+    std::ranges::stable_partition(
+        sources, [](const std::string& name) { return name.find("_statistics") == std::string::npos; });
     return sources;
 }
 
-fs::path write_overlay(const fs::path& folder, const Change& change) {
+void write_overlay(const fs::path& folder, const Change& change) {
     for (const auto& [name, text] : change.headers) {
         fs::create_directories((folder / name).parent_path());
         write_file((folder / name).string(), text);
     }
-    return folder;
 }
 
 std::vector<std::string> compile_command(const Toolchain& tools, const fs::path& overlay) {
@@ -121,43 +127,22 @@ std::string first_error(const fs::path& log) {
     return "the compiler failed and did not say why";
 }
 
-/// The object of one source; those that the change does not touch are kept. Empty, with a complaint, if it does not
-/// compile.
-fs::path object_of(const Toolchain& tools, const Change& change, const std::string& source,
-                   const fs::path& scratch, std::string& complaint) {
-    const std::string key = object_key(tools, change, source);
-    const bool untouched = key == object_key(tools, {}, source);
-    const fs::path kept = tools.work / "cache" / (key + ".o");
-    if (untouched && fs::exists(kept)) return kept;
-    const fs::path object = scratch / (fs::path(source).stem().string() + ".o");
-    auto command = compile_command(tools, scratch);
+/// Compiles and links one file of checks; the compiler's complaint if that fails.
+std::string build_checks(const Toolchain& tools, const std::string& source, const fs::path& scratch,
+                         const fs::path& program) {
+    const std::string level = optimisation(fs::path(source).filename().string());
+    const fs::path object = scratch / "checks.o", log = scratch / "compiler.log";
+    auto compile = compile_command(tools, scratch);
     for (const std::string& word :
-         {std::string("-O1"), std::string("-include"), (tools.work / "prefix.h").string(), std::string("-c"),
+         {level, std::string("-include"), (tools.work / level / "prefix.h").string(), std::string("-c"),
           (tools.root / source).string(), std::string("-o"), object.string()})
-        command.push_back(word);
-    const fs::path log = scratch / "compiler.log";
-    if (run_process(command, log).code != 0) {
-        complaint = first_error(log);
-        return {};
-    }
-    if (!untouched) return object;
-    fs::rename(object, kept);
-    return kept;
-}
-
-/// Links and runs the objects; answers what the cache keeps: the exit code, then what the checks printed.
-std::string run_objects(const Toolchain& tools, const std::vector<std::string>& objects,
-                        const fs::path& scratch) {
-    const fs::path program = scratch / "checks", log = scratch / "checks.log";
-    std::vector<std::string> command{tools.compiler};
-    command.insert(command.end(), tools.flags.begin(), tools.flags.end());
-    command.insert(command.end(), objects.begin(), objects.end());
-    for (const std::string& word :
-         {tools.test_main, tools.library, std::string("-pthread"), std::string("-o"), program.string()})
-        command.push_back(word);
-    if (run_process(command, log).code != 0) throw Error("the checks do not link: " + first_error(log));
-    const Ended ended = run_process({program.string(), "--reporters=lines"}, log, check_limits);
-    return (ended.too_long ? "too long\n" : "ended\n") + read_file(log.string());
+        compile.push_back(word);
+    if (run_process(compile, log).code != 0) return first_error(log);
+    auto link = compile_command(tools, scratch);
+    for (const std::string& word : {object.string(), tools.test_main, tools.library, std::string("-pthread"),
+                                    std::string("-o"), program.string()})
+        link.push_back(word);
+    return run_process(link, log).code != 0 ? first_error(log) : "";
 }
 
 Outcome outcome_from(const std::string& kept) {
@@ -165,6 +150,23 @@ Outcome outcome_from(const std::string& kept) {
     outcome.too_long = kept.starts_with("too long");
     outcome.results = parse_results(kept);
     return outcome;
+}
+
+/// One file of checks. What came is kept.
+Outcome run_source(const Toolchain& tools, const Change& change, const std::string& source) {
+    Hash hash;
+    hash.add(object_key(tools, change, source));
+    const fs::path kept = tools.work / "cache" / (hash.text() + ".lines");
+    if (fs::exists(kept)) return outcome_from(read_file(kept.string()));
+    const Scratch scratch(tools, change, fs::path(source).stem().string());
+    write_overlay(scratch.path, change);
+    const fs::path program = scratch.path / "checks", log = scratch.path / "checks.log";
+    if (const std::string complaint = build_checks(tools, source, scratch.path, program); !complaint.empty())
+        return {.compiled = false, .too_long = false, .complaint = complaint, .results = {}};
+    const Ended ended = run_process({program.string(), "--reporters=lines"}, log, check_limits);
+    const std::string lines = (ended.too_long ? "too long\n" : "ended\n") + read_file(log.string());
+    write_file(kept.string(), lines);
+    return outcome_from(lines);
 }
 
 } // namespace
@@ -191,56 +193,44 @@ Toolchain read_toolchain(const fs::path& root, const fs::path& build) {
         if (key == "library") tools.library = value;
         hash.add(line);
     }
-    for (const std::string& object : {tools.test_main, tools.library}) {
+    for (const std::string& object : {tools.test_main, tools.library})
         if (!fs::exists(object)) throw Error(object + " is not built: ./learn prove builds it");
-        hash.add(read_file(object));
-    }
+    hash.add(read_file((root / "tests/main.cpp").string()));
     tools.fixed = hash.text();
     fs::create_directories(tools.work / "cache");
     return tools;
 }
 
-void prepare(const Toolchain& tools) {
-    const fs::path prefix = tools.work / "prefix.h", made = tools.work / "prefix.h.gch",
-                   stamp = tools.work / "prefix.key";
+void prepare(const Toolchain& tools, const std::string& step) {
+    const fs::path folder = tools.work / optimisation(step);
+    const fs::path prefix = folder / "prefix.h", made = folder / "prefix.h.gch",
+                   stamp = folder / "prefix.key";
     Hash hash;
     std::set<std::string> seen;
     hash.add(tools.fixed);
     add_with_includes(tools, {}, "tools/tutor/prefix.h", seen, hash);
     if (fs::exists(made) && fs::exists(stamp) && read_file(stamp.string()) == hash.text()) return;
+    fs::create_directories(folder);
     write_file(prefix.string(), read_file((tools.root / "tools/tutor/prefix.h").string()));
     auto command = compile_command(tools, tools.work);
-    for (const std::string& word : {std::string("-O1"), std::string("-x"), std::string("c++-header"),
+    for (const std::string& word : {optimisation(step), std::string("-x"), std::string("c++-header"),
                                     prefix.string(), std::string("-o"), made.string()})
         command.push_back(word);
-    const fs::path log = tools.work / "prefix.log";
+    const fs::path log = folder / "prefix.log";
     if (run_process(command, log).code != 0)
         throw Error("the checks' headers do not compile: " + first_error(log));
     write_file(stamp.string(), hash.text());
 }
 
-Outcome run_checks(const Toolchain& tools, const Change& change, bool statistics) {
-    const std::vector<std::string> sources = check_sources(tools, change.step, statistics);
-    Hash hash;
-    for (const std::string& source : sources) hash.add(object_key(tools, change, source));
-    const fs::path kept = tools.work / "cache" / (hash.text() + ".lines");
-    if (fs::exists(kept)) return outcome_from(read_file(kept.string()));
-
-    const Scratch scratch(tools, change, statistics ? "statistics" : "checks");
-    write_overlay(scratch.path, change);
-    std::vector<std::string> objects;
-    Outcome broken{.compiled = false, .too_long = false, .complaint = {}, .results = {}};
-    for (const std::string& source : sources) {
-        objects.push_back(object_of(tools, change, source, scratch.path, broken.complaint).string());
-        if (objects.back().empty()) return broken;
+Outcome run_checks(const Toolchain& tools, const Change& change) {
+    Outcome outcome;
+    for (const std::string& source : check_sources(tools, change.step)) {
+        Outcome of_source = run_source(tools, change, source);
+        const bool fails = std::ranges::any_of(of_source.results, has_failed);
+        if (!of_source.compiled || of_source.too_long || fails) return of_source;
+        std::ranges::move(of_source.results, std::back_inserter(outcome.results));
     }
-    const std::string lines = run_objects(tools, objects, scratch.path);
-    write_file(kept.string(), lines);
-    return outcome_from(lines);
-}
-
-bool has_statistics(const Toolchain& tools, const std::string& step) {
-    return !check_sources(tools, step, true).empty();
+    return outcome;
 }
 
 bool render_picture(const Toolchain& tools, const Change& change, const fs::path& picture) {

@@ -38,14 +38,12 @@ struct Outcome {
     std::vector<CheckResult> results;
 };
 
-/// Compiles what every check includes, once. Throws Error.
-void prepare(const Toolchain& tools);
+/// Compiles what the checks of the step include, once. Throws Error.
+void prepare(const Toolchain& tools, const std::string& step);
 
-/// The outcome of the step's checks; `statistics`: of the slow ones. Throws Error if the tools do not work.
-Outcome run_checks(const Toolchain& tools, const Change& change, bool statistics);
-
-/// Whether the step has slow checks.
-bool has_statistics(const Toolchain& tools, const std::string& step);
+/// The outcome of the step's checks, file by file up to the first in which something fails; slow statistics come last.
+/// Throws Error if the tools do not work.
+Outcome run_checks(const Toolchain& tools, const Change& change);
 
 /// Compiles the step's program with the change and renders a small picture with it. False if there is none in the end.
 bool render_picture(const Toolchain& tools, const Change& change, const std::filesystem::path& picture);

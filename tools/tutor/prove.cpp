@@ -30,6 +30,7 @@ struct Wishes {
     int jobs = 0;
     bool no_pictures = false;
     bool write = false;
+    bool fresh = false;
 };
 
 /// One change to be tried, and what came of it.
@@ -113,10 +114,7 @@ fs::path picture_path(const Toolchain& tools, const Change& change) {
 }
 
 void try_out(const Toolchain& tools, Trial& trial, bool pictures) {
-    trial.outcome = run_checks(tools, trial.change, false);
-    const bool missed = trial.mistake != nullptr && trial.outcome.compiled && !fails(trial.outcome);
-    if (missed && has_statistics(tools, trial.change.step))
-        trial.outcome = run_checks(tools, trial.change, true);
+    trial.outcome = run_checks(tools, trial.change);
     const bool stub = trial.mistake == nullptr && !trial.change.headers.empty();
     if (pictures && !stub && trial.outcome.compiled)
         trial.picture = render_picture(tools, trial.change, picture_path(tools, trial.change));
@@ -289,12 +287,14 @@ void print_table(const std::vector<Count>& counts, const Count& total) {
 
 bool prove(const Wishes& wishes) {
     const auto begin = std::chrono::steady_clock::now();
+    if (wishes.fresh) fs::remove_all(fs::path(wishes.root) / "build" / "prove");
     const Toolchain tools = read_toolchain(wishes.root, wishes.build);
     if (!wishes.json.empty()) check_file_writable(wishes.json);
-    prepare(tools);
     std::vector<StepProof> proofs;
-    for (const std::string& step : step_names(tools.root, wishes.step))
+    for (const std::string& step : step_names(tools.root, wishes.step)) {
+        prepare(tools, step);
         proofs.push_back(plan(tools.root, step));
+    }
     std::vector<Trial*> trials;
     for (StepProof& proof : proofs)
         for (Trial& trial : proof.trials) trials.push_back(&trial);
@@ -330,6 +330,8 @@ int main(int argc, char** argv) {
     app.add_option("--step", wishes.step, "one step alone: 3, 03 or 03_mirror");
     app.add_flag("--no-pictures", wishes.no_pictures, "does not render the wrong pictures");
     app.add_flag("--write", wishes.write, "notes the signatures of the mistakes in mistakes/*.signatures");
+    app.add_flag("--fresh", wishes.fresh,
+                 "builds all of it anew, in place of what did not change since the last time");
     app.add_option("--jobs", wishes.jobs, "how many at a time; 0 for as many as there are cores")
         ->check(CLI::Range(0, 1024));
     app.add_option("--root", wishes.root, "the project's folder")->required();
