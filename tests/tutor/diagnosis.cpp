@@ -120,6 +120,26 @@ TEST_CASE("a pattern that lacks a check is still named, but not for certain") {
     CHECK(diagnosis.ids == std::vector<std::string>{"far"});
 }
 
+TEST_CASE("a diagnosis is explained: the mistake, why, and what to do; or else the first check") {
+    const std::vector<Mistake> catalogue{{.step = "01_one",
+                                          .id = "far",
+                                          .title = "the far root",
+                                          .file = {},
+                                          .patch = {},
+                                          .shows = {},
+                                          .why = "it is farther",
+                                          .fix = "take the near one",
+                                          .place = {}}};
+    const std::vector<Signature> all{known("far", {"a"}, "6 == 4")};
+    const std::string named = explanation(diagnose(all, seen({"a"}, "6 == 4")), catalogue);
+    for (const char* part : {"certainly: the far root", "Why: it is farther", "Fix: take the near one"})
+        CHECK_MESSAGE(named.find(part) != std::string::npos, named);
+    const std::string unnamed = explanation(diagnose(all, seen({"c"}, "1 == 4")), catalogue);
+    for (const char* part : {"none of the mistakes that we know", "  c\n", "t == 4: 1 == 4", "why"})
+        CHECK_MESSAGE(unnamed.find(part) != std::string::npos, unnamed);
+    CHECK(explanation({}, catalogue).empty());
+}
+
 TEST_CASE("where nothing fails nothing is diagnosed") {
     auto results = seen({"a"}, "6 == 4");
     results[0].state = CheckState::ok;

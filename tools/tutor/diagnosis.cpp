@@ -232,4 +232,26 @@ std::string words(Confidence confidence) {
     }
 }
 
+std::string explanation(const Diagnosis& diagnosis, const std::vector<Mistake>& catalogue) {
+    if (diagnosis.first.name.empty()) return "";
+    std::string out;
+    if (diagnosis.ids.size() > 1) out += "One of these, which the checks cannot tell apart:\n";
+    for (const std::string& id : diagnosis.ids) {
+        const auto mistake = std::ranges::find(catalogue, id, &Mistake::id);
+        if (mistake == catalogue.end()) continue;
+        out += "The mistake, " + words(diagnosis.confidence) + ": " + mistake->title +
+               ".\n  Why: " + mistake->why + "\n  Fix: " + mistake->fix + "\n";
+    }
+    if (!out.empty()) return out;
+    out = "It is none of the mistakes that we know. Begin with the first check that fails; later ones may "
+          "follow from "
+          "it:\n  " +
+          diagnosis.first.name + "\n";
+    if (diagnosis.first.failures.empty()) return out + "  it does not end\n";
+    const Failure& failure = diagnosis.first.failures[0];
+    out += "  " + failure.expression + ": " + failure.values + "\n";
+    for (const std::string& note : failure.notes) out += "  " + note + "\n";
+    return out;
+}
+
 } // namespace rt

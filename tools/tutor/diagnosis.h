@@ -2,6 +2,8 @@
 // its own values, and its signature (mistakes/NN_name.signatures, written by prove) holds which.
 #pragma once
 
+#include "tools/tutor/catalogue.h"
+
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -82,5 +84,9 @@ Diagnosis diagnose(const std::vector<Signature>& known, const std::vector<CheckR
 
 /// "certainly", "most likely", "perhaps", "none that we know".
 std::string words(Confidence confidence);
+
+/// In finished words, over some lines: the likely mistake, why it is one and what to do; or, if none is likely, the first
+/// check that failed and what it says. Empty if nothing failed.
+std::string explanation(const Diagnosis& diagnosis, const std::vector<Mistake>& catalogue);
 
 } // namespace rt

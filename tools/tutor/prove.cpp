@@ -192,33 +192,42 @@ void judge_stub(const Trial& trial, Count& count, StepProof& proof) {
         ++count.stubs_failing;
 }
 
-void judge_mistake(const Trial& trial, const std::vector<Signature>& known, Count& count, StepProof& proof) {
-    ++count.mistakes;
-    count.pictures += trial.picture;
-    count.differing += trial.picture && trial.differs;
+void judge_picture(const Trial& trial, Count& count, StepProof& proof) {
+    if (!trial.picture) return;
+    ++count.pictures;
+    count.differing += trial.differs;
     const bool says_nothing = trial.mistake->shows.starts_with("nothing");
-    if (trial.picture && says_nothing == trial.differs)
-        proof.complaints.push_back(trial.change.id + (says_nothing
-                                                          ? " changes the picture, but its Shows says not"
-                                                          : " changes no pixel, but its Shows says so"));
-    if (!trial.outcome.compiled) {
-        proof.complaints.push_back(trial.change.id + " does not compile: " + trial.outcome.complaint);
-        return;
-    }
-    if (!fails(trial.outcome)) {
-        proof.complaints.push_back(trial.change.id + " is not caught");
-        return;
-    }
-    ++count.caught;
+    if (says_nothing && trial.differs)
+        proof.complaints.push_back(trial.change.id + " changes the picture, but its Shows says not");
+    if (!says_nothing && !trial.differs)
+        proof.complaints.push_back(trial.change.id + " changes no pixel, but its Shows says so");
+}
+
+void judge_name(const Trial& trial, const std::vector<Signature>& known, Count& count, StepProof& proof) {
     const Signature seen = signature_of(trial.change.id, trial.outcome.results);
     const int group = group_size(known, seen);
     count.named_first += group == 1;
     count.named_in_group += group >= 1;
     count.still_first += group_size(known, thinned(seen)) == 1;
-    if (group != 1)
-        proof.complaints.push_back(trial.change.id + (group == 0 ? " is taken for" : " cannot be told from") +
-                                   group_words(known, seen) +
-                                   (group == 0 ? " (./learn prove --write notes the signatures anew)" : ""));
+    if (group > 1)
+        proof.complaints.push_back(trial.change.id +
+                                   ": these cannot be told apart:" + group_words(known, seen));
+    if (group == 0)
+        proof.complaints.push_back(trial.change.id + " is taken for" + group_words(known, seen) +
+                                   " (./learn prove --write notes the signatures anew)");
+}
+
+void judge_mistake(const Trial& trial, const std::vector<Signature>& known, Count& count, StepProof& proof) {
+    ++count.mistakes;
+    judge_picture(trial, count, proof);
+    if (!trial.outcome.compiled) {
+        proof.complaints.push_back(trial.change.id + " does not compile: " + trial.outcome.complaint);
+    } else if (!fails(trial.outcome)) {
+        proof.complaints.push_back(trial.change.id + " is not caught");
+    } else {
+        ++count.caught;
+        judge_name(trial, known, count, proof);
+    }
 }
 
 std::vector<Signature> signatures_of(const StepProof& proof) {
@@ -285,22 +294,31 @@ void print_table(const std::vector<Count>& counts, const Count& total) {
     print_row(total);
 }
 
-bool prove(const Wishes& wishes) {
-    const auto begin = std::chrono::steady_clock::now();
-    if (wishes.fresh) fs::remove_all(fs::path(wishes.root) / "build" / "prove");
-    const Toolchain tools = read_toolchain(wishes.root, wishes.build);
-    if (!wishes.json.empty()) check_file_writable(wishes.json);
+std::vector<StepProof> plan_all(const Toolchain& tools, const std::string& wanted) {
     std::vector<StepProof> proofs;
-    for (const std::string& step : step_names(tools.root, wishes.step)) {
+    for (const std::string& step : step_names(tools.root, wanted)) {
         prepare(tools, step);
         proofs.push_back(plan(tools.root, step));
     }
+    return proofs;
+}
+
+void try_all(const Toolchain& tools, std::vector<StepProof>& proofs, const Wishes& wishes) {
     std::vector<Trial*> trials;
     for (StepProof& proof : proofs)
         for (Trial& trial : proof.trials) trials.push_back(&trial);
     const int cores = int(std::max(1u, std::thread::hardware_concurrency()));
     in_parallel(trials.size(), wishes.jobs > 0 ? wishes.jobs : cores,
                 [&](std::size_t i) { try_out(tools, *trials[i], !wishes.no_pictures); });
+}
+
+bool prove(const Wishes& wishes) {
+    const auto begin = std::chrono::steady_clock::now();
+    if (wishes.fresh) fs::remove_all(fs::path(wishes.root) / "build" / "prove");
+    const Toolchain tools = read_toolchain(wishes.root, wishes.build);
+    if (!wishes.json.empty()) check_file_writable(wishes.json);
+    std::vector<StepProof> proofs = plan_all(tools, wishes.step);
+    try_all(tools, proofs, wishes);
     std::vector<Count> counts;
     Count total{.step = "total"};
     for (StepProof& proof : proofs) {
