@@ -140,6 +140,16 @@ TEST_CASE("a ray that is mirrored starts beside the surface, on the side that it
     CHECK(dot(behind.direction, tilted) < 0);
 }
 
+TEST_CASE("a mirror turns rays around the normal to shade with, and starts them off the true surface") {
+    const vec3 smooth = normalize(tilted + 0.4f * beside(tilted));
+    const Hit hit = make_hit(Ray{somewhere - slanting, slanting, 0, 1}, tilted, smooth, {0, 0}, 0);
+    const Ray mirrored = mirror_ray({somewhere - slanting, slanting}, hit);
+    CHECK_MESSAGE(mirrored.direction == approx(slanting - 2 * dot(slanting, smooth) * smooth),
+                  "turned around hit.geometric_normal, meshes that should look smooth mirror in facets");
+    CHECK_MESSAGE(dot(mirrored.origin - somewhere, beside(tilted)) == approx(0, 1e-6f),
+                  "the offset goes along hit.geometric_normal: the other may lean into the surface");
+}
+
 TEST_CASE("a mirrored ray does not meet the ball that it comes from, of whatever size and wherever") {
     Random random(5);
     for (const float radius : {0.01f, 0.5f, 7.0f, 1000.0f})

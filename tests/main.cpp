@@ -1,10 +1,82 @@
-// The main function of every test executable: doctest's, but a filter that selects no test case is an error.
+// The main function of every test executable: doctest's, but a filter that selects no test case is an error; and
+// --reporters=lines tells other programs what comes of each check, one event a line, its parts between tabs:
+//     case  name                              a test case begins
+//     fail  file:line  expression  expanded   an assertion failed
+//     note  text                              what was said to explain that
+//     end   name  ok|failed|skipped  seconds  the test case is over
 #define DOCTEST_CONFIG_IMPLEMENT
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <iostream>
+#include <sstream>
+#include <string>
 
 namespace {
+
+/// On one line, so that a reader can take lines and tabs apart.
+std::string one_line(std::string text) {
+    std::ranges::replace_if(
+        text, [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
+    return text;
+}
+
+/// Each line is flushed at once: what a check that crashes or hangs has said is there.
+struct Lines : doctest::IReporter {
+    std::ostream& out;
+    std::string name;
+    bool skipped = false;
+
+    explicit Lines(const doctest::ContextOptions& options) : out(*options.cout) {}
+
+    void test_case_start(const doctest::TestCaseData& test) override {
+        name = one_line(test.m_name);
+        skipped = false;
+        out << "case\t" << name << std::endl;
+    }
+    void test_case_end(const doctest::CurrentTestCaseStats& stats) override {
+        const char* state = !stats.testCaseSuccess ? "failed" : skipped ? "skipped" : "ok";
+        out << "end\t" << name << "\t" << state << "\t" << stats.seconds << std::endl;
+    }
+    void log_assert(const doctest::AssertData& assertion) override {
+        if (!assertion.m_failed) return;
+        const doctest::String& thrown = assertion.m_exception;
+        fail(assertion.m_file, assertion.m_line, assertion.m_expr,
+             thrown.size() > 0 ? "threw " + std::string(thrown.c_str()) : assertion.m_decomp.c_str());
+        for (int i = 0; i < get_num_active_contexts(); ++i) {
+            std::ostringstream text;
+            get_active_contexts()[i]->stringify(&text);
+            note(text.str());
+        }
+    }
+    void log_message(const doctest::MessageData& message) override {
+        const std::string text = message.m_string.c_str();
+        skipped = skipped || text.starts_with("[skipped]");
+        if (message.m_severity & doctest::assertType::is_warn)
+            note(text);
+        else
+            fail(message.m_file, message.m_line, "FAIL", text);
+    }
+    void test_case_exception(const doctest::TestCaseException& exception) override {
+        fail("", 0, exception.is_crash ? "crashed" : "threw", exception.error_string.c_str());
+    }
+
+    void fail(const char* file, int line, const std::string& expression, const std::string& expanded) {
+        out << "fail\t" << file << ":" << line << "\t" << one_line(expression) << "\t" << one_line(expanded)
+            << std::endl;
+    }
+    void note(const std::string& text) { out << "note\t" << one_line(text) << std::endl; }
+
+    void report_query(const doctest::QueryData&) override {}
+    void test_run_start() override {}
+    void test_run_end(const doctest::TestRunStats&) override {}
+    void test_case_reenter(const doctest::TestCaseData&) override {}
+    void subcase_start(const doctest::SubcaseSignature&) override {}
+    void subcase_end() override {}
+    void test_case_skipped(const doctest::TestCaseData&) override {}
+};
+
+REGISTER_REPORTER("lines", 0, Lines);
 
 /// Notes how many test cases the filters let through.
 struct Counter : doctest::IReporter {

@@ -1,0 +1,112 @@
+// The catalogue of mistakes: what is wrong in a file of it is said with file and line, and what is right can be made.
+#include "tests/tutor/folder.h"
+
+#include "common/error.h"
+#include "tools/tutor/catalogue.h"
+
+#include <doctest/doctest.h>
+
+#include <set>
+
+using namespace rt;
+
+namespace {
+
+const std::string header = "// A header.\n"
+                           "inline float half(float x) {\n"
+                           "    const float y = x;\n"
+                           "    return y / 2;\n"
+                           "}\n"
+                           "inline float twice(float x) {\n"
+                           "    const float y = x;\n"
+                           "    return y * 2;\n"
+                           "}\n";
+
+const std::string good = "# Mistakes of step 01: numbers\n"
+                         "\n"
+                         "## not-halved: the half is the whole\n"
+                         "```diff\n"
+                         "01_one/half.h\n"
+                         "     const float y = x;\n"
+                         "-    return y / 2;\n"
+                         "+    return y;\n"
+                         "```\n"
+                         "* Shows: all is twice\n"
+                         "  as large.\n"
+                         "* Why: a half is half.\n"
+                         "* Fix: divide by 2.\n";
+
+/// What is said of the catalogue in which `part` was replaced.
+std::string complaint(const std::string& part, const std::string& instead) {
+    std::string text = good;
+    text.replace(text.find(part), part.size(), instead);
+    try {
+        for (const Mistake& mistake : parse_catalogue(text, "mistakes/01_one.md"))
+            with_mistake(mistake, header);
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "no complaint";
+}
+
+} // namespace
+
+TEST_CASE("a mistake is read with all that it says") {
+    const auto mistakes = parse_catalogue(good, "mistakes/01_one.md");
+    REQUIRE(mistakes.size() == 1);
+    CHECK(mistakes[0].step == "01_one");
+    CHECK(mistakes[0].id == "not-halved");
+    CHECK(mistakes[0].title == "the half is the whole");
+    CHECK(mistakes[0].file == "01_one/half.h");
+    CHECK(mistakes[0].shows == "all is twice as large.");
+    CHECK(mistakes[0].fix == "divide by 2.");
+    CHECK(mistakes[0].place == "mistakes/01_one.md:3");
+}
+
+TEST_CASE("a mistake changes its lines and nothing else") {
+    std::string expected = header;
+    expected.replace(expected.find("return y / 2;"), 13, "return y;");
+    CHECK(with_mistake(parse_catalogue(good, "mistakes/01_one.md")[0], header) == expected);
+}
+
+TEST_CASE("a fault of the catalogue is said in one line, with file and line") {
+    CHECK(complaint("# Mistakes of step 01", "# Mistakes of step 02").starts_with("mistakes/01_one.md:1: "));
+    CHECK(
+        complaint("not-halved: ", "not-halved ").starts_with("mistakes/01_one.md:3: a mistake begins with"));
+    CHECK(complaint("not-halved", "Not halved").starts_with("mistakes/01_one.md:3: the id 'Not halved'"));
+    CHECK(complaint("```diff", "```").starts_with("mistakes/01_one.md:4: "));
+    CHECK(complaint("01_one/half.h", "half.h").starts_with("mistakes/01_one.md:5: "));
+    CHECK(complaint("01_one/half.h", "02_two/half.h").find("later step") != std::string::npos);
+    CHECK(complaint("```\n*", "*").find("a line of a diff begins with") != std::string::npos);
+    CHECK(complaint("* Why: a half is half.\n", "").starts_with("mistakes/01_one.md:12: here '* Why: ...'"));
+    CHECK(complaint("divide by 2.\n", "divide by 2.\n\n" + good.substr(good.find("##")))
+              .find("there are two mistakes not-halved") != std::string::npos);
+}
+
+TEST_CASE("a change that applies nowhere, or in two places, is a fault") {
+    CHECK(complaint("y / 2", "y / 3").find("does not apply to 01_one/half.h") != std::string::npos);
+    CHECK(complaint("-    return y / 2;\n+    return y;", "-    const float y = x;\n+    return y;")
+              .find("does not apply") != std::string::npos);
+    CHECK(complaint("     const float y = x;\n-    return y / 2;\n+    return y;",
+                    "-    const float y = x;\n+    return y;")
+              .find("stands twice in 01_one/half.h, in lines 3 and 7") != std::string::npos);
+}
+
+TEST_CASE("a mistake is written where it takes the reference's place") {
+    const SmallProject small;
+    put(small.root / "steps/01_one/half.h", header);
+    write_overlay(parse_catalogue(good, "mistakes/01_one.md")[0], small.root, small.root / "overlay");
+    CHECK(text_of(small.root / "overlay/01_one/half.h").find("return y;") != std::string::npos);
+    CHECK(text_of(small.root / "steps/01_one/half.h") == header);
+}
+
+TEST_CASE("every mistake of the project applies to the reference") {
+    int count = 0;
+    for (const char* step : {"01_spheres", "02_shadows", "03_mirror", "04_refraction", "05_mesh_bvh",
+                             "06_textures", "07_antialias", "08_indirect"}) {
+        const auto mistakes = read_catalogue(RT_ROOT, step);
+        CHECK_MESSAGE(mistakes.size() >= 14, std::string(step), " has too few mistakes");
+        count += int(mistakes.size());
+    }
+    CHECK(count >= 120);
+}

@@ -1,0 +1,160 @@
+// From the lines of a check to the name of a mistake.
+#include "tests/tutor/folder.h"
+
+#include "common/error.h"
+#include "tools/tutor/catalogue.h"
+#include "tools/tutor/diagnosis.h"
+
+#include <doctest/doctest.h>
+
+using namespace rt;
+
+namespace {
+
+const std::string lines = "case\ta ball is met at t = 4\n"
+                          "fail\ttests/01_one.cpp:7\tt == approx(4)\t6.00000001 == 4 within 1e-05\n"
+                          "note\tthat is the far root\n"
+                          "fail\ttests/01_one.cpp:7\tt == approx(4)\t8 == 4 within 1e-05\n"
+                          "end\ta ball is met at t = 4\tfailed\t0.002\n"
+                          "case\ta plane has two sides\n"
+                          "end\ta plane has two sides\tok\t0.001\n"
+                          "case\tmeshes of this machine\n"
+                          "end\tmeshes of this machine\tskipped\t0\n"
+                          "case\ta ray that never ends\n";
+
+Signature known(const std::string& id, const std::vector<std::string>& checks, const std::string& values) {
+    Signature signature{id, {}};
+    for (const std::string& check : checks) signature.symptoms.push_back({check, "t == 4", values, 1});
+    return signature;
+}
+
+std::vector<CheckResult> seen(const std::vector<std::string>& checks, const std::string& values) {
+    std::vector<CheckResult> results;
+    for (const std::string& check : checks)
+        results.push_back(
+            {check, CheckState::failed, 0, {{"tests/01_one.cpp:3", "t == 4", values, {"why"}}}});
+    return results;
+}
+
+} // namespace
+
+TEST_CASE("the lines of the checks are read, and a check without an end is unfinished") {
+    const auto results = parse_results(lines);
+    REQUIRE(results.size() == 4);
+    CHECK(results[0].state == CheckState::failed);
+    CHECK(results[0].seconds == doctest::Approx(0.002));
+    REQUIRE(results[0].failures.size() == 2);
+    CHECK(results[0].failures[0].place == "tests/01_one.cpp:7");
+    CHECK(results[0].failures[0].notes == std::vector<std::string>{"that is the far root"});
+    CHECK(results[1].state == CheckState::ok);
+    CHECK(results[2].state == CheckState::skipped);
+    CHECK(results[3].state == CheckState::unfinished);
+    CHECK(has_failed(results[3]));
+    CHECK_FALSE(has_failed(results[2]));
+}
+
+TEST_CASE("numbers are rounded to four digits, and what is no number stays") {
+    CHECK(rounded("6.00000001 == 4 within 1e-05") == "6 == 4 within 1e-05");
+    CHECK(rounded("(0.123456, -12345.6, 7)") == "(0.1235, -1.235e+04, 7)");
+    CHECK(rounded("vec3 x2 {?} -nan") == "vec3 x2 {?} nan");
+    CHECK(rounded(std::string(500, 'x')).size() == 100);
+}
+
+TEST_CASE("a signature holds each assertion once, with how often it failed") {
+    const Signature signature = signature_of("far", parse_results(lines));
+    REQUIRE(signature.symptoms.size() == 2);
+    CHECK(signature.symptoms[0].times == 2);
+    CHECK(signature.symptoms[0].values == "6 == 4 within 1e-05");
+    CHECK(signature.symptoms[1].check == "a ray that never ends");
+}
+
+TEST_CASE("only the first file of checks in which something fails counts") {
+    auto results = seen({"a", "b"}, "6 == 4");
+    results[1].failures[0].place = "tests/01_one_more.cpp:3";
+    CHECK(signature_of("", results).symptoms.size() == 1);
+}
+
+TEST_CASE("signatures are written and read back") {
+    const Signature signature = signature_of("far", parse_results(lines));
+    const auto back = parse_signatures(signatures_text("01_one", {signature}), "mistakes/01_one.signatures");
+    REQUIRE(back.size() == 1);
+    CHECK(back[0].id == "far");
+    REQUIRE(back[0].symptoms.size() == 2);
+    CHECK(back[0].symptoms[0].check == "a ball is met at t = 4");
+    CHECK(back[0].symptoms[0].expression == "t == approx(4)");
+    CHECK(back[0].symptoms[0].times == 2);
+    CHECK_THROWS_WITH_AS(
+        parse_signatures("far\n    nonsense\n", "mistakes/01_one.signatures"),
+        "mistakes/01_one.signatures:2: not a line that prove writes; run ./learn prove --write again", Error);
+}
+
+TEST_CASE("the mistake whose signature is seen is named, for certain") {
+    const std::vector<Signature> all{known("near", {"a", "b"}, "2 == 4"), known("far", {"a", "b"}, "6 == 4"),
+                                     known("none", {"a", "b", "c"}, "6 == 4")};
+    const Diagnosis diagnosis = diagnose(all, seen({"a", "b"}, "6 == 4"));
+    CHECK(diagnosis.confidence == Confidence::certain);
+    CHECK(diagnosis.ids == std::vector<std::string>{"far"});
+    CHECK(diagnosis.first.name == "a");
+    CHECK(diagnosis.first.failures[0].notes[0] == "why");
+}
+
+TEST_CASE("mistakes that cannot be told apart are named together") {
+    const std::vector<Signature> all{known("one", {"a"}, "6 == 4"), known("two", {"a"}, "6 == 4"),
+                                     known("three", {"b"}, "6 == 4")};
+    CHECK(diagnose(all, seen({"a"}, "6 == 4")).ids == std::vector<std::string>{"one", "two"});
+}
+
+TEST_CASE("a mistake that nobody knows is not called by a name, but its first check is") {
+    const std::vector<Signature> all{known("far", {"a", "b"}, "6 == 4")};
+    const Diagnosis diagnosis = diagnose(all, seen({"c", "d"}, "1 == 4"));
+    CHECK(diagnosis.confidence == Confidence::none);
+    CHECK(diagnosis.ids.empty());
+    CHECK(diagnosis.first.name == "c");
+}
+
+TEST_CASE("a pattern that lacks a check is still named, but not for certain") {
+    const std::vector<Signature> all{known("far", {"a", "b", "c", "d"}, "6 == 4"),
+                                     known("other", {"a", "x", "y"}, "6 == 4")};
+    const Diagnosis diagnosis = diagnose(all, seen({"a", "b", "c"}, "6 == 4"));
+    CHECK(diagnosis.confidence == Confidence::likely);
+    CHECK(diagnosis.ids == std::vector<std::string>{"far"});
+}
+
+TEST_CASE("a diagnosis is explained: the mistake, why, and what to do; or else the first check") {
+    const std::vector<Mistake> catalogue{{.step = "01_one",
+                                          .id = "far",
+                                          .title = "the far root",
+                                          .file = {},
+                                          .patch = {},
+                                          .shows = {},
+                                          .why = "it is farther",
+                                          .fix = "take the near one",
+                                          .place = {}}};
+    const std::vector<Signature> all{known("far", {"a"}, "6 == 4")};
+    const std::string named = explanation(diagnose(all, seen({"a"}, "6 == 4")), catalogue);
+    for (const char* part : {"certainly: the far root", "Why: it is farther", "Fix: take the near one"})
+        CHECK_MESSAGE(named.find(part) != std::string::npos, named);
+    const std::string unnamed = explanation(diagnose(all, seen({"c"}, "1 == 4")), catalogue);
+    for (const char* part : {"none of the mistakes that we know", "  c\n", "t == 4: 1 == 4", "why"})
+        CHECK_MESSAGE(unnamed.find(part) != std::string::npos, unnamed);
+    CHECK(explanation({}, catalogue).empty());
+}
+
+TEST_CASE("where nothing fails nothing is diagnosed") {
+    auto results = seen({"a"}, "6 == 4");
+    results[0].state = CheckState::ok;
+    CHECK(diagnose({known("far", {"a"}, "6 == 4")}, results).confidence == Confidence::none);
+}
+
+TEST_CASE("every mistake of the project whose signature is noted is diagnosed as itself, or in its group") {
+    for (const char* step : {"01_spheres", "02_shadows", "03_mirror", "04_refraction", "05_mesh_bvh",
+                             "06_textures", "07_antialias", "08_indirect"}) {
+        const auto signatures = read_signatures(RT_ROOT, step);
+        const auto mistakes = read_catalogue(RT_ROOT, step);
+        CHECK_MESSAGE(signatures.size() == mistakes.size(), std::string(step), ": run ./learn prove --write");
+        for (const Signature& signature : signatures) {
+            const std::vector<Match> matches = ranked(signatures, signature);
+            CHECK_MESSAGE(matches[0].score == doctest::Approx(1), signature.id);
+        }
+    }
+}

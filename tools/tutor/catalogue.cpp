@@ -1,0 +1,197 @@
+// Reads the catalogue of mistakes, finds its faults, and makes mistakes.
+#include "tools/tutor/catalogue.h"
+
+#include "common/error.h"
+#include "common/file_bytes.h"
+#include "tools/tutor/exercises.h"
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+#include <string_view>
+
+namespace rt {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string trimmed(std::string_view text) {
+    const auto blank = [](char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; };
+    while (!text.empty() && blank(text.front())) text.remove_prefix(1);
+    while (!text.empty() && blank(text.back())) text.remove_suffix(1);
+    return std::string(text);
+}
+
+/// Goes through the lines of one catalogue and knows where it is.
+class Reader {
+  public:
+    Reader(const std::string& text, const std::string& name) : lines(lines_of(text)), path(name) {}
+
+    bool ended() const { return next >= lines.size(); }
+    const std::string& line() const { return lines[next]; }
+    void advance() { ++next; }
+    std::string place() const { return path + ":" + std::to_string(std::min(next + 1, lines.size())); }
+    [[noreturn]] void complain(const std::string& what) const { throw Error(place() + ": " + what); }
+
+  private:
+    std::vector<std::string> lines;
+    std::string path;
+    std::size_t next = 0;
+};
+
+/// `## id: title`
+void read_heading(Reader& reader, Mistake& mistake) {
+    const std::string heading = reader.line().substr(3);
+    const std::size_t colon = heading.find(": ");
+    if (colon == std::string::npos) reader.complain("a mistake begins with '## id: title'");
+    mistake.id = heading.substr(0, colon);
+    mistake.title = trimmed(heading.substr(colon + 2));
+    const auto allowed = [](unsigned char c) { return std::islower(c) || std::isdigit(c) || c == '-'; };
+    if (mistake.id.empty() || !std::ranges::all_of(mistake.id, allowed))
+        reader.complain("the id '" + mistake.id + "' is not of small letters, digits and dashes");
+    if (mistake.title.empty()) reader.complain("a mistake has a title after its id");
+    mistake.place = reader.place();
+    reader.advance();
+}
+
+void skip_blank_lines(Reader& reader) {
+    while (!reader.ended() && trimmed(reader.line()).empty()) reader.advance();
+}
+
+/// From ```diff to ```: the file, then the lines of the change.
+void read_patch(Reader& reader, Mistake& mistake) {
+    skip_blank_lines(reader);
+    if (reader.ended() || reader.line() != "```diff") reader.complain("here a ```diff must begin");
+    reader.advance();
+    if (!reader.ended()) mistake.file = reader.line();
+    const std::size_t slash = mistake.file.find('/');
+    if (slash == std::string::npos || !mistake.file.ends_with(".h"))
+        reader.complain("a diff begins with the header that it changes, as in 03_mirror/mirror.h");
+    if (mistake.file.substr(0, slash) > mistake.step)
+        reader.complain(mistake.file + " belongs to a later step than " + mistake.step);
+    reader.advance();
+    for (; !reader.ended() && reader.line() != "```"; reader.advance()) {
+        const std::string& line = reader.line();
+        const char kind = line.empty() ? ' ' : line[0];
+        if (kind != ' ' && kind != '-' && kind != '+')
+            reader.complain("a line of a diff begins with '-', '+' or a blank");
+        mistake.patch.push_back({kind, line.empty() ? "" : line.substr(1)});
+    }
+    if (reader.ended()) reader.complain("the diff does not end: ``` is missing");
+    const auto changes = [](const PatchLine& line) { return line.kind != ' '; };
+    if (std::ranges::none_of(mistake.patch, changes)) reader.complain("the diff changes nothing");
+    reader.advance();
+}
+
+/// `* Name: text`, which may go on over lines that are indented.
+std::string read_field(Reader& reader, const std::string& name) {
+    skip_blank_lines(reader);
+    const std::string begin = "* " + name + ": ";
+    if (reader.ended() || !reader.line().starts_with(begin))
+        reader.complain("here '" + begin + "...' must stand");
+    std::string text = trimmed(reader.line().substr(begin.size()));
+    reader.advance();
+    for (; !reader.ended() && reader.line().starts_with("  "); reader.advance())
+        text += " " + trimmed(reader.line());
+    return text;
+}
+
+Mistake read_mistake(Reader& reader, const std::string& step) {
+    Mistake mistake;
+    mistake.step = step;
+    read_heading(reader, mistake);
+    read_patch(reader, mistake);
+    mistake.shows = read_field(reader, "Shows");
+    mistake.why = read_field(reader, "Why");
+    mistake.fix = read_field(reader, "Fix");
+    skip_blank_lines(reader);
+    return mistake;
+}
+
+/// Whether the lines of `patch` that must be there stand at `lines[begin]`; blanks at their ends do not count.
+bool stands_at(const std::vector<std::string>& wanted, const std::vector<std::string>& lines,
+               std::size_t begin) {
+    if (begin + wanted.size() > lines.size()) return false;
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+        if (trimmed(lines[begin + i]) != wanted[i]) return false;
+    return true;
+}
+
+/// Where the lines that must be there stand.
+std::size_t find_place(const Mistake& mistake, const std::vector<std::string>& lines,
+                       const std::vector<std::string>& wanted) {
+    std::size_t found = lines.size();
+    for (std::size_t begin = 0; begin < lines.size(); ++begin) {
+        if (!stands_at(wanted, lines, begin)) continue;
+        const std::string where = mistake.place + ": what " + mistake.id + " takes out stands ";
+        if (found < lines.size())
+            throw Error(where + "twice in " + mistake.file + ", in lines " + std::to_string(found + 1) +
+                        " and " + std::to_string(begin + 1) + ": add a line of context");
+        found = begin;
+    }
+    if (found == lines.size() || wanted.empty())
+        throw Error(mistake.place + ": the change of " + mistake.id + " does not apply to " + mistake.file +
+                    ": its lines with '-' and ' ' do not stand there one after the other");
+    return found;
+}
+
+} // namespace
+
+std::vector<Mistake> parse_catalogue(const std::string& text, const std::string& path) {
+    Reader reader(text, path);
+    const std::string step = fs::path(path).stem().string();
+    const std::string title = "# Mistakes of step " + step.substr(0, 2) + ": ";
+    if (reader.ended() || !reader.line().starts_with(title))
+        reader.complain("the first line is '" + title + "...'");
+    reader.advance();
+    while (!reader.ended() && !reader.line().starts_with("## ")) reader.advance(); // what it says of itself
+    std::vector<Mistake> mistakes;
+    std::set<std::string> ids;
+    while (!reader.ended()) {
+        if (!reader.line().starts_with("## ")) reader.complain("here '## id: title' must stand");
+        mistakes.push_back(read_mistake(reader, step));
+        const Mistake& last = mistakes.back();
+        if (!ids.insert(last.id).second) throw Error(last.place + ": there are two mistakes " + last.id);
+    }
+    return mistakes;
+}
+
+std::string with_mistake(const Mistake& mistake, const std::string& header) {
+    const std::vector<std::string> lines = lines_of(header);
+    std::vector<std::string> wanted;
+    for (const PatchLine& line : mistake.patch)
+        if (line.kind != '+') wanted.push_back(trimmed(line.text));
+    const std::size_t place = find_place(mistake, lines, wanted);
+    std::string out;
+    for (std::size_t i = 0; i < place; ++i) out += lines[i] + "\n";
+    std::size_t old = place;
+    for (const PatchLine& line : mistake.patch) {
+        if (line.kind == '+') out += line.text + "\n";
+        if (line.kind == ' ') out += lines[old] + "\n";
+        if (line.kind != '+') ++old;
+    }
+    for (std::size_t i = old; i < lines.size(); ++i) out += lines[i] + "\n";
+    return out;
+}
+
+std::vector<Mistake> read_catalogue(const fs::path& root, const std::string& step) {
+    const fs::path path = root / "mistakes" / (step + ".md");
+    if (!fs::exists(path)) return {};
+    auto mistakes = parse_catalogue(read_file(path.string()), "mistakes/" + step + ".md");
+    std::set<std::string> results;
+    for (const Mistake& mistake : mistakes) {
+        const std::string text = with_mistake(mistake, read_file((root / "steps" / mistake.file).string()));
+        if (!results.insert(text).second)
+            throw Error(mistake.place + ": " + mistake.id + " is the same change as an earlier one");
+    }
+    return mistakes;
+}
+
+void write_overlay(const Mistake& mistake, const fs::path& root, const fs::path& overlay) {
+    const fs::path out = overlay / mistake.file;
+    fs::create_directories(out.parent_path());
+    write_file(out.string(), with_mistake(mistake, read_file((root / "steps" / mistake.file).string())));
+}
+
+} // namespace rt

@@ -1,0 +1,257 @@
+// Reads what checks say, keeps it as signatures, and finds the signature that fits best.
+#include "tools/tutor/diagnosis.h"
+
+#include "common/error.h"
+#include "common/file_bytes.h"
+#include "tools/tutor/exercises.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cstdio>
+#include <cstdlib>
+#include <set>
+
+namespace rt {
+
+namespace {
+
+const std::string not_ended = "(the check did not end)";
+constexpr std::size_t longest_values = 100;
+
+std::vector<std::string> split(std::string_view line, char separator) {
+    std::vector<std::string> parts(1);
+    for (const char c : line) {
+        if (c == separator)
+            parts.emplace_back();
+        else
+            parts.back() += c;
+    }
+    return parts;
+}
+
+bool is_word(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+/// The share of the things in either set that are in both.
+template <typename Things>
+double overlap_of(const Things& a, const Things& b) {
+    std::size_t both = 0;
+    for (const auto& thing : a) both += b.count(thing);
+    const std::size_t either = a.size() + b.size() - both;
+    return either == 0 ? 1 : double(both) / double(either);
+}
+
+/// A signature as sets: coarse, finer, finest.
+struct Sets {
+    std::set<std::string> checks, assertions, values;
+
+    explicit Sets(const Signature& signature) {
+        for (const Symptom& symptom : signature.symptoms) {
+            checks.insert(symptom.check);
+            assertions.insert(symptom.check + "\t" + symptom.expression);
+            values.insert(symptom.check + "\t" + symptom.expression + "\t" + symptom.values);
+        }
+    }
+};
+
+void read_event(const std::vector<std::string>& parts, std::vector<CheckResult>& results) {
+    const auto part = [&](std::size_t i) { return i < parts.size() ? parts[i] : std::string(); };
+    if (parts[0] == "case") results.push_back({part(1), CheckState::unfinished, 0, {}});
+    if (results.empty()) return;
+    CheckResult& result = results.back();
+    if (parts[0] == "fail") result.failures.push_back({part(1), part(2), part(3), {}});
+    if (parts[0] == "note" && !result.failures.empty()) result.failures.back().notes.push_back(part(1));
+    if (parts[0] != "end") return;
+    const std::string state = part(2);
+    result.state = state == "ok"        ? CheckState::ok
+                   : state == "skipped" ? CheckState::skipped
+                                        : CheckState::failed;
+    result.seconds = std::atof(part(3).c_str());
+}
+
+/// The file that the check stands in, if one of its assertions failed.
+std::string file_of(const CheckResult& result) {
+    for (const Failure& failure : result.failures)
+        if (const std::size_t colon = failure.place.rfind(':'); colon != std::string::npos && colon > 0)
+            return std::filesystem::path(failure.place.substr(0, colon)).filename().string();
+    return "";
+}
+
+/// The end of the number that begins at `begin`, or `begin` if none does.
+std::size_t end_of_number(std::string_view text, std::size_t begin) {
+    if (begin > 0 && is_word(text[begin - 1])) return begin;
+    double value = 0;
+    const char* first = text.data() + begin;
+    const auto [end, error] = std::from_chars(first, text.data() + text.size(), value);
+    const bool number =
+        error != std::errc::invalid_argument && std::isdigit(static_cast<unsigned char>(*first)) != 0;
+    return number ? std::size_t(end - text.data()) : begin;
+}
+
+} // namespace
+
+std::vector<CheckResult> parse_results(std::string_view lines) {
+    std::vector<CheckResult> results;
+    while (!lines.empty()) {
+        const std::size_t end = std::min(lines.find('\n'), lines.size());
+        read_event(split(lines.substr(0, end), '\t'), results);
+        lines.remove_prefix(std::min(end + 1, lines.size()));
+    }
+    return results;
+}
+
+bool has_failed(const CheckResult& result) {
+    return result.state == CheckState::failed || result.state == CheckState::unfinished;
+}
+
+std::string rounded(std::string_view values) {
+    std::string out;
+    for (std::size_t i = 0; i < values.size();) {
+        const std::size_t end = end_of_number(values, i);
+        if (end == i) {
+            out += values[i++];
+            continue;
+        }
+        char text[32];
+        std::snprintf(text, sizeof text, "%.4g", std::atof(std::string(values.substr(i, end - i)).c_str()));
+        out += text;
+        i = end;
+    }
+    for (std::size_t at; (at = out.find("-nan")) != std::string::npos;) out.erase(at, 1); // a NaN has no sign
+    return out.substr(0, longest_values);
+}
+
+Signature signature_of(const std::string& id, const std::vector<CheckResult>& results) {
+    Signature signature{id, {}};
+    const auto add = [&](const std::string& check, const std::string& expression, const std::string& values) {
+        const auto same = std::ranges::find_if(signature.symptoms, [&](const Symptom& symptom) {
+            return symptom.check == check && symptom.expression == expression;
+        });
+        if (same == signature.symptoms.end())
+            signature.symptoms.push_back({check, expression, rounded(values), 1});
+        else
+            ++same->times;
+    };
+    std::string file;
+    for (const CheckResult& result : results) {
+        if (!has_failed(result)) continue;
+        const std::string own = file_of(result);
+        if (!file.empty() && !own.empty() && own != file) break;
+        file = own.empty() ? file : own;
+        for (const Failure& failure : result.failures) add(result.name, failure.expression, failure.values);
+        if (result.state == CheckState::unfinished) add(result.name, not_ended, "");
+    }
+    return signature;
+}
+
+std::string signatures_text(const std::string& step, const std::vector<Signature>& signatures) {
+    std::string out =
+        "# What the checks of " + step +
+        " say to each of its mistakes: the mistake, the check, how often an assertion fails, the\n"
+        "# assertion, and its values the first time. Written by ./learn prove --write.\n";
+    for (const Signature& signature : signatures) {
+        out += signature.id + "\n";
+        std::string check;
+        for (const Symptom& symptom : signature.symptoms) {
+            if (symptom.check != check) out += "  " + symptom.check + "\n";
+            check = symptom.check;
+            out += "    " + std::to_string(symptom.times) + "\t" + symptom.expression + "\t" +
+                   symptom.values + "\n";
+        }
+    }
+    return out;
+}
+
+std::vector<Signature> parse_signatures(const std::string& text, const std::string& path) {
+    std::vector<Signature> signatures;
+    std::string check;
+    int number = 0;
+    for (const std::string& line : lines_of(text)) {
+        ++number;
+        if (line.empty() || line[0] == '#') continue;
+        if (line[0] != ' ') {
+            signatures.push_back({line, {}});
+        } else if (!line.starts_with("    ")) {
+            check = line.substr(2);
+        } else {
+            const auto parts = split(line.substr(4), '\t');
+            if (parts.size() != 3 || signatures.empty())
+                throw Error(path + ":" + std::to_string(number) +
+                            ": not a line that prove writes; run ./learn prove --write again");
+            signatures.back().symptoms.push_back({check, parts[1], parts[2], std::atoi(parts[0].c_str())});
+        }
+    }
+    return signatures;
+}
+
+std::vector<Signature> read_signatures(const std::filesystem::path& root, const std::string& step) {
+    const std::filesystem::path path = root / "mistakes" / (step + ".signatures");
+    if (!std::filesystem::exists(path)) return {};
+    return parse_signatures(read_file(path.string()), "mistakes/" + step + ".signatures");
+}
+
+std::vector<Match> ranked(const std::vector<Signature>& known, const Signature& seen) {
+    const Sets here(seen);
+    std::vector<Match> matches;
+    for (const Signature& signature : known) {
+        const Sets there(signature);
+        const double score = 0.3 * overlap_of(here.checks, there.checks) +
+                             0.3 * overlap_of(here.assertions, there.assertions) +
+                             0.4 * overlap_of(here.values, there.values);
+        matches.push_back({signature.id, score});
+    }
+    std::ranges::stable_sort(matches, std::greater(), &Match::score);
+    return matches;
+}
+
+Diagnosis diagnose(const std::vector<Signature>& known, const std::vector<CheckResult>& results) {
+    Diagnosis diagnosis;
+    const auto first = std::ranges::find_if(results, has_failed);
+    if (first == results.end()) return diagnosis;
+    diagnosis.first = *first;
+    const std::vector<Match> matches = ranked(known, signature_of("", results));
+    const double best = matches.empty() ? 0 : matches[0].score;
+    diagnosis.confidence = best > 0.95   ? Confidence::certain
+                           : best > 0.65 ? Confidence::likely
+                           : best > 0.45 ? Confidence::perhaps
+                                         : Confidence::none;
+    if (diagnosis.confidence == Confidence::none) return diagnosis;
+    for (const Match& match : matches)
+        if (match.score > best - 1e-9) diagnosis.ids.push_back(match.id);
+    return diagnosis;
+}
+
+std::string words(Confidence confidence) {
+    switch (confidence) {
+    case Confidence::certain: return "certainly";
+    case Confidence::likely: return "most likely";
+    case Confidence::perhaps: return "perhaps";
+    default: return "none that we know";
+    }
+}
+
+std::string explanation(const Diagnosis& diagnosis, const std::vector<Mistake>& catalogue) {
+    if (diagnosis.first.name.empty()) return "";
+    std::string out;
+    if (diagnosis.ids.size() > 1) out += "One of these, which the checks cannot tell apart:\n";
+    for (const std::string& id : diagnosis.ids) {
+        const auto mistake = std::ranges::find(catalogue, id, &Mistake::id);
+        if (mistake == catalogue.end()) continue;
+        out += "The mistake, " + words(diagnosis.confidence) + ": " + mistake->title +
+               ".\n  Why: " + mistake->why + "\n  Fix: " + mistake->fix + "\n";
+    }
+    if (!out.empty()) return out;
+    out = "It is none of the mistakes that we know. Begin with the first check that fails; later ones may "
+          "follow from "
+          "it:\n  " +
+          diagnosis.first.name + "\n";
+    if (diagnosis.first.failures.empty()) return out + "  it does not end\n";
+    const Failure& failure = diagnosis.first.failures[0];
+    out += "  " + failure.expression + ": " + failure.values + "\n";
+    for (const std::string& note : failure.notes) out += "  " + note + "\n";
+    return out;
+}
+
+} // namespace rt

@@ -1,0 +1,92 @@
+// From what the checks say to the mistake that makes them say it: each mistake of the catalogue fails its own checks with
+// its own values, and its signature (mistakes/NN_name.signatures, written by prove) holds which.
+#pragma once
+
+#include "tools/tutor/catalogue.h"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rt {
+
+/// An assertion that did not hold.
+struct Failure {
+    std::string place; ///< file:line
+    std::string expression;
+    std::string values;             ///< the expression with its values in it
+    std::vector<std::string> notes; ///< what the check says to explain it
+};
+
+/// `unfinished`: it crashed, or was stopped because it took too long.
+enum class CheckState { ok, failed, skipped, unfinished };
+
+/// What came of one test case.
+struct CheckResult {
+    std::string name;
+    CheckState state = CheckState::unfinished;
+    double seconds = 0;
+    std::vector<Failure> failures;
+};
+
+/// Reads what `test_NN_name --reporters=lines` prints. A test case without an end is unfinished.
+std::vector<CheckResult> parse_results(std::string_view lines);
+
+bool has_failed(const CheckResult& result);
+
+/// One assertion that fails in one check, however often.
+struct Symptom {
+    std::string check;
+    std::string expression;
+    std::string values; ///< of the first time, all numbers rounded to four digits
+    int times = 1;
+};
+
+/// What a mistake does to the checks of its step, in their order.
+struct Signature {
+    std::string id;
+    std::vector<Symptom> symptoms;
+};
+
+/// Numbers with four significant digits, at most 100 characters.
+std::string rounded(std::string_view values);
+
+/// Of the first file of checks in which something fails: what later files say adds nothing to it.
+Signature signature_of(const std::string& id, const std::vector<CheckResult>& results);
+
+/// The text of a .signatures file, and back. The second throws Error, which names `path` and the line.
+std::string signatures_text(const std::string& step, const std::vector<Signature>& signatures);
+std::vector<Signature> parse_signatures(const std::string& text, const std::string& path);
+
+/// From `root`/mistakes/NN_name.signatures; none if there is no such file.
+std::vector<Signature> read_signatures(const std::filesystem::path& root, const std::string& step);
+
+/// How well a known signature fits what is seen, from 0 to 1: the shares of the checks, of their assertions and of their
+/// values that both have, weighed; 1 only if nothing differs.
+struct Match {
+    std::string id;
+    double score = 0;
+};
+
+/// All known mistakes, those that fit best first.
+std::vector<Match> ranked(const std::vector<Signature>& known, const Signature& seen);
+
+enum class Confidence { none, perhaps, likely, certain };
+
+struct Diagnosis {
+    Confidence confidence = Confidence::none;
+    std::vector<std::string> ids; ///< one mistake, or those that cannot be told apart; none if none is likely
+    CheckResult first;            ///< the first check that failed: later ones may only follow from it
+};
+
+Diagnosis diagnose(const std::vector<Signature>& known, const std::vector<CheckResult>& results);
+
+/// "certainly", "most likely", "perhaps", "none that we know".
+std::string words(Confidence confidence);
+
+/// In finished words, over some lines: the likely mistake, why it is one and what to do; or, if none is likely, the first
+/// check that failed and what it says. Empty if nothing failed.
+std::string explanation(const Diagnosis& diagnosis, const std::vector<Mistake>& catalogue);
+
+} // namespace rt

@@ -1,0 +1,24 @@
+// What checks include and no change touches: compiled once for all of them by prove.
+#pragma once
+
+#include "tests/check.h"
+
+#include "common/error.h"
+#include "common/image_file.h"
+#include "common/match.h"
+#include "common/obj_file.h"
+#include "common/options.h"
+#include "common/random.h"
+#include "common/render.h"
+#include "common/row.h"
+#include "common/tally.h"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <numeric>
+#include <optional>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>

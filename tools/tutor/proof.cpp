@@ -1,0 +1,259 @@
+// Compiles, links and runs checks with changed headers, and keeps what came.
+#include "tools/tutor/proof.h"
+
+#include "common/error.h"
+#include "common/file_bytes.h"
+#include "tools/tutor/exercises.h"
+#include "tools/tutor/process.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <iterator>
+#include <set>
+
+namespace rt {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// What takes least time in all, measured: the checks of the early steps are quick even if they are compiled quickly.
+std::string optimisation(const std::string& step) {
+    return step < "05" || step.starts_with("06") ? "-O0" : "-O1";
+}
+
+constexpr RunLimits check_limits{.cpu_seconds = 30, .seconds = 300, .memory = std::uint64_t(4) << 30};
+
+/// Fowler, Noll and Vo, 64 bits, variant 1a.
+class Hash {
+  public:
+    void add(std::string_view bytes) {
+        for (const char c : bytes) state = (state ^ std::uint8_t(c)) * 0x100000001b3u;
+        state = (state ^ 0xff) * 0x100000001b3u; // so that "a", "bc" is not "ab", "c"
+    }
+    std::string text() const {
+        char digits[17];
+        std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(state));
+        return digits;
+    }
+
+  private:
+    std::uint64_t state = 0xcbf29ce484222325u;
+};
+
+/// The name in #include "name", or nothing.
+std::string included(const std::string& line) {
+    const std::string begin = "#include \"";
+    if (!line.starts_with(begin)) return "";
+    return line.substr(begin.size(), line.find('"', begin.size()) - begin.size());
+}
+
+/// The text that an include finds: the change's, the reference's, or the project's.
+std::string text_of(const Toolchain& tools, const Change& change, const std::string& name) {
+    if (const auto found = change.headers.find(name); found != change.headers.end()) return found->second;
+    for (const fs::path& folder : {tools.root / "steps", tools.root})
+        if (fs::exists(folder / name)) return read_file((folder / name).string());
+    return "";
+}
+
+void add_with_includes(const Toolchain& tools, const Change& change, const std::string& name,
+                       std::set<std::string>& seen, Hash& hash) {
+    if (!seen.insert(name).second) return;
+    const std::string text = text_of(tools, change, name);
+    hash.add(name);
+    hash.add(text);
+    for (const std::string& line : lines_of(text))
+        if (const std::string other = included(line); !other.empty())
+            add_with_includes(tools, change, other, seen, hash);
+}
+
+/// Of all that the object of a source depends on.
+std::string object_key(const Toolchain& tools, const Change& change, const std::string& source) {
+    Hash hash;
+    std::set<std::string> seen;
+    hash.add(tools.fixed);
+    hash.add(optimisation(fs::path(source).filename().string()));
+    add_with_includes(tools, change, source, seen, hash);
+    return hash.text();
+}
+
+/// "tests/03_mirror.cpp" and others of the step, in the order in which doctest runs them; the slow statistics last.
+std::vector<std::string> check_sources(const Toolchain& tools, const std::string& step) {
+    std::vector<std::string> sources;
+    for (const auto& entry : fs::directory_iterator(tools.root / "tests")) {
+        const std::string name = entry.path().filename().string();
+        if (name.starts_with(step) && name.ends_with(".cpp")) sources.push_back("tests/" + name);
+    }
+    std::ranges::sort(sources);
+    std::ranges::stable_partition(
+        sources, [](const std::string& name) { return name.find("_statistics") == std::string::npos; });
+    return sources;
+}
+
+void write_overlay(const fs::path& folder, const Change& change) {
+    for (const auto& [name, text] : change.headers) {
+        fs::create_directories((folder / name).parent_path());
+        write_file((folder / name).string(), text);
+    }
+}
+
+std::vector<std::string> compile_command(const Toolchain& tools, const fs::path& overlay) {
+    std::vector<std::string> command{tools.compiler, "-w", "-I" + overlay.string(),
+                                     "-I" + (tools.root / "steps").string()};
+    command.insert(command.end(), tools.flags.begin(), tools.flags.end());
+    return command;
+}
+
+/// A folder that nobody else uses, gone with all that is in it in the end.
+struct Scratch {
+    fs::path path;
+    Scratch(const Toolchain& tools, const Change& change, const std::string& kind)
+        : path(tools.work / "scratch" / (change.step + "." + change.id + "." + kind)) {
+        fs::remove_all(path);
+        fs::create_directories(path);
+    }
+    ~Scratch() {
+        std::error_code ignored;
+        fs::remove_all(path, ignored);
+    }
+    Scratch(const Scratch&) = delete;
+    Scratch& operator=(const Scratch&) = delete;
+};
+
+/// The compiler's first error, on one line.
+std::string first_error(const fs::path& log) {
+    for (const std::string& line : lines_of(read_file(log.string())))
+        if (line.find("error") != std::string::npos) return line;
+    return "the compiler failed and did not say why";
+}
+
+/// Compiles and links one file of checks; the compiler's complaint if that fails.
+std::string build_checks(const Toolchain& tools, const std::string& source, const fs::path& scratch,
+                         const fs::path& program) {
+    const std::string level = optimisation(fs::path(source).filename().string());
+    const fs::path object = scratch / "checks.o", log = scratch / "compiler.log";
+    auto compile = compile_command(tools, scratch);
+    for (const std::string& word :
+         {level, std::string("-include"), (tools.work / level / "prefix.h").string(), std::string("-c"),
+          (tools.root / source).string(), std::string("-o"), object.string()})
+        compile.push_back(word);
+    if (run_process(compile, log).code != 0) return first_error(log);
+    auto link = compile_command(tools, scratch);
+    for (const std::string& word : {object.string(), tools.test_main, tools.library, std::string("-pthread"),
+                                    std::string("-o"), program.string()})
+        link.push_back(word);
+    return run_process(link, log).code != 0 ? first_error(log) : "";
+}
+
+Outcome outcome_from(const std::string& kept) {
+    Outcome outcome;
+    outcome.too_long = kept.starts_with("too long");
+    outcome.results = parse_results(kept);
+    return outcome;
+}
+
+/// One file of checks. What came is kept.
+Outcome run_source(const Toolchain& tools, const Change& change, const std::string& source) {
+    Hash hash;
+    hash.add(object_key(tools, change, source));
+    const fs::path kept = tools.work / "cache" / (hash.text() + ".lines");
+    if (fs::exists(kept)) return outcome_from(read_file(kept.string()));
+    const Scratch scratch(tools, change, fs::path(source).stem().string());
+    write_overlay(scratch.path, change);
+    const fs::path program = scratch.path / "checks", log = scratch.path / "checks.log";
+    if (const std::string complaint = build_checks(tools, source, scratch.path, program); !complaint.empty())
+        return {.compiled = false, .too_long = false, .complaint = complaint, .results = {}};
+    const Ended ended = run_process({program.string(), "--reporters=lines"}, log, check_limits);
+    const std::string lines = (ended.too_long ? "too long\n" : "ended\n") + read_file(log.string());
+    write_file(kept.string(), lines);
+    return outcome_from(lines);
+}
+
+} // namespace
+
+Toolchain read_toolchain(const fs::path& root, const fs::path& build) {
+    Toolchain tools{.root = root,
+                    .work = root / "build" / "prove",
+                    .compiler = {},
+                    .flags = {},
+                    .test_main = {},
+                    .library = {},
+                    .fixed = {}};
+    const fs::path path = build / "prove" / "toolchain.txt";
+    if (!fs::exists(path))
+        throw Error(path.string() + " is not there: configure the build first (./learn test 03)");
+    Hash hash;
+    for (const std::string& line : lines_of(read_file(path.string()))) {
+        const std::size_t space = line.find(' ');
+        if (space == std::string::npos) continue;
+        const std::string key = line.substr(0, space), value = line.substr(space + 1);
+        if (key == "compiler") tools.compiler = value;
+        if (key == "flag") tools.flags.push_back(value);
+        if (key == "test_main") tools.test_main = value;
+        if (key == "library") tools.library = value;
+        hash.add(line);
+    }
+    for (const std::string& object : {tools.test_main, tools.library})
+        if (!fs::exists(object)) throw Error(object + " is not built: ./learn prove builds it");
+    hash.add(read_file((root / "tests/main.cpp").string()));
+    tools.fixed = hash.text();
+    fs::create_directories(tools.work / "cache");
+    return tools;
+}
+
+void prepare(const Toolchain& tools, const std::string& step) {
+    const fs::path folder = tools.work / optimisation(step);
+    const fs::path prefix = folder / "prefix.h", made = folder / "prefix.h.gch",
+                   stamp = folder / "prefix.key";
+    Hash hash;
+    std::set<std::string> seen;
+    hash.add(tools.fixed);
+    add_with_includes(tools, {}, "tools/tutor/prefix.h", seen, hash);
+    if (fs::exists(made) && fs::exists(stamp) && read_file(stamp.string()) == hash.text()) return;
+    fs::create_directories(folder);
+    write_file(prefix.string(), read_file((tools.root / "tools/tutor/prefix.h").string()));
+    auto command = compile_command(tools, tools.work);
+    for (const std::string& word : {optimisation(step), std::string("-x"), std::string("c++-header"),
+                                    prefix.string(), std::string("-o"), made.string()})
+        command.push_back(word);
+    const fs::path log = folder / "prefix.log";
+    if (run_process(command, log).code != 0)
+        throw Error("the checks' headers do not compile: " + first_error(log));
+    write_file(stamp.string(), hash.text());
+}
+
+Outcome run_checks(const Toolchain& tools, const Change& change) {
+    Outcome outcome;
+    for (const std::string& source : check_sources(tools, change.step)) {
+        Outcome of_source = run_source(tools, change, source);
+        const bool fails = std::ranges::any_of(of_source.results, has_failed);
+        if (!of_source.compiled || of_source.too_long || fails) return of_source;
+        std::ranges::move(of_source.results, std::back_inserter(outcome.results));
+    }
+    return outcome;
+}
+
+bool render_picture(const Toolchain& tools, const Change& change, const fs::path& picture) {
+    const std::string source = "steps/" + change.step + "/main.cpp";
+    const fs::path stamp = fs::path(picture).replace_extension(".key");
+    const std::string key = object_key(tools, change, source);
+    if (fs::exists(stamp) && read_file(stamp.string()) == key) return fs::exists(picture);
+    const Scratch scratch(tools, change, "picture");
+    write_overlay(scratch.path, change);
+    const fs::path program = scratch.path / "program", log = scratch.path / "log";
+    auto command = compile_command(tools, scratch.path);
+    for (const std::string& word : {std::string("-O2"), (tools.root / source).string(), tools.library,
+                                    std::string("-pthread"), std::string("-o"), program.string()})
+        command.push_back(word);
+    if (run_process(command, log).code != 0)
+        throw Error(change.step + " does not compile: " + first_error(log));
+    fs::create_directories(picture.parent_path());
+    fs::remove(picture);
+    run_process({program.string(), "--quiet", "--threads", "1", "--width", "240", "--height", "150",
+                 "--samples", "16", "--out", picture.string()},
+                log, check_limits);
+    write_file(stamp.string(), key);
+    return fs::exists(picture);
+}
+
+} // namespace rt

@@ -1,0 +1,366 @@
+// The proof that the checks check: every stub fails them, and every mistake of the catalogue fails them in a way that
+// names it. ./learn prove runs it.
+#include "common/error.h"
+#include "common/file_bytes.h"
+#include "common/image_file.h"
+#include "tools/tutor/catalogue.h"
+#include "tools/tutor/exercises.h"
+#include "tools/tutor/proof.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <exception>
+#include <iostream>
+#include <mutex>
+#include <set>
+#include <sstream>
+#include <thread>
+
+namespace rt {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Wishes {
+    std::string root, build, json, step;
+    int jobs = 0;
+    bool no_pictures = false;
+    bool write = false;
+    bool fresh = false;
+};
+
+/// One change to be tried, and what came of it.
+struct Trial {
+    Change change;
+    const Mistake* mistake = nullptr; ///< none for a stub
+    Outcome outcome;
+    bool picture = false, differs = false;
+};
+
+/// What the table and the JSON say of a step.
+struct Count {
+    std::string step;
+    int stubs = 0, stubs_failing = 0, mistakes = 0, caught = 0, named_first = 0, named_in_group = 0,
+        pictures = 0;
+    int still_first = 0, differing = 0;
+
+    void add(const Count& other) {
+        stubs += other.stubs, stubs_failing += other.stubs_failing, mistakes += other.mistakes;
+        caught += other.caught, named_first += other.named_first, named_in_group += other.named_in_group;
+        pictures += other.pictures, still_first += other.still_first, differing += other.differing;
+    }
+    bool proved() const { return stubs_failing == stubs && caught == mistakes && named_in_group == mistakes; }
+};
+
+/// All of a step: its own checks first, then its stubs, then its mistakes.
+struct StepProof {
+    std::string step;
+    std::vector<Mistake> mistakes;
+    std::vector<Trial> trials;
+    std::vector<std::string> complaints;
+};
+
+std::vector<std::string> step_names(const fs::path& root, const std::string& wanted) {
+    std::vector<std::string> steps;
+    for (const auto& entry : fs::directory_iterator(root / "steps")) {
+        const std::string name = entry.path().filename().string();
+        const std::string number = name.substr(0, 2);
+        const bool meant = wanted.empty() || wanted == name || wanted == number || "0" + wanted == number;
+        if (entry.is_directory() && meant) steps.push_back(name);
+    }
+    if (steps.empty()) throw Error("there is no step '" + wanted + "'");
+    std::ranges::sort(steps);
+    return steps;
+}
+
+void add_stubs(const fs::path& root, StepProof& proof) {
+    std::map<std::string, std::vector<Exercise>> by_file;
+    const auto text = [&](const std::string& file) { return read_file((root / "steps" / file).string()); };
+    for (const Exercise& exercise : find_step_exercises(root / "steps", proof.step)) {
+        const std::string file = exercise.step + "/" + exercise.file;
+        by_file[file].push_back(exercise);
+        proof.trials.push_back(
+            {.change = {proof.step, "stub-" + exercise.name, {{file, cut(text(file), {exercise})}}},
+             .outcome = {}});
+    }
+    Change all{proof.step, "stub-all", {}};
+    for (const auto& [file, exercises] : by_file) all.headers[file] = cut(text(file), exercises);
+    proof.trials.push_back({.change = all, .outcome = {}});
+}
+
+StepProof plan(const fs::path& root, const std::string& step) {
+    StepProof proof{step, read_catalogue(root, step), {}, {}};
+    proof.trials.push_back({.change = {step, "reference", {}}, .outcome = {}});
+    add_stubs(root, proof);
+    for (const Mistake& mistake : proof.mistakes) {
+        const std::string header = read_file((root / "steps" / mistake.file).string());
+        proof.trials.push_back({.change = {step, mistake.id, {{mistake.file, with_mistake(mistake, header)}}},
+                                .mistake = &mistake,
+                                .outcome = {}});
+    }
+    return proof;
+}
+
+bool fails(const Outcome& outcome) {
+    return std::ranges::any_of(outcome.results, has_failed);
+}
+
+fs::path picture_path(const Toolchain& tools, const Change& change) {
+    return tools.work / "pictures" / change.step / (change.id + ".png");
+}
+
+void try_out(const Toolchain& tools, Trial& trial, bool pictures) {
+    trial.outcome = run_checks(tools, trial.change);
+    const bool stub = trial.mistake == nullptr && !trial.change.headers.empty();
+    if (pictures && !stub && trial.outcome.compiled)
+        trial.picture = render_picture(tools, trial.change, picture_path(tools, trial.change));
+}
+
+/// Calls work(i) for all i below `count`, on `jobs` threads. Passes on the first exception.
+void in_parallel(std::size_t count, int jobs, const std::function<void(std::size_t)>& work) {
+    std::atomic<std::size_t> next = 0;
+    std::exception_ptr problem;
+    std::mutex guard;
+    const auto run = [&] {
+        for (std::size_t i; (i = next++) < count;) {
+            try {
+                work(i);
+            } catch (...) {
+                const std::lock_guard lock(guard);
+                if (!problem) problem = std::current_exception();
+                next = count;
+            }
+        }
+    };
+    std::vector<std::jthread> threads;
+    for (int i = 0; i < jobs; ++i) threads.emplace_back(run);
+    threads.clear();
+    if (problem) std::rethrow_exception(problem);
+}
+
+/// One pixel that differs by a step of 8 bits is a difference.
+bool differ(const fs::path& a, const fs::path& b) {
+    if (!fs::exists(a) || !fs::exists(b)) return true;
+    return read_file(a.string()) != read_file(b.string());
+}
+
+/// Every third assertion of a signature is lost: those that another learner's mistake would not have failed.
+Signature thinned(const Signature& signature) {
+    Signature thin{signature.id, {}};
+    for (std::size_t i = 0; i < signature.symptoms.size(); ++i)
+        if (i % 3 != 1) thin.symptoms.push_back(signature.symptoms[i]);
+    return thin;
+}
+
+/// How many known signatures fit as well as the best one does; 0 if that of `id` is not among them.
+int group_size(const std::vector<Signature>& known, const Signature& seen) {
+    const std::vector<Match> matches = ranked(known, seen);
+    const auto equal = [&](const Match& match) { return match.score > matches[0].score - 1e-9; };
+    const bool there =
+        std::ranges::any_of(matches, [&](const Match& match) { return match.id == seen.id && equal(match); });
+    return there ? int(std::ranges::count_if(matches, equal)) : 0;
+}
+
+std::string group_words(const std::vector<Signature>& known, const Signature& seen) {
+    std::string words;
+    const std::vector<Match> matches = ranked(known, seen);
+    for (const Match& match : matches)
+        if (match.score > matches[0].score - 1e-9) words += " " + match.id;
+    return words;
+}
+
+void judge_reference(const Trial& trial, StepProof& proof) {
+    if (!trial.outcome.compiled)
+        throw Error(proof.step + ": the reference does not compile: " + trial.outcome.complaint);
+    for (const CheckResult& result : trial.outcome.results)
+        if (has_failed(result)) throw Error(proof.step + ": the reference itself fails: " + result.name);
+}
+
+void judge_stub(const Trial& trial, Count& count, StepProof& proof) {
+    ++count.stubs;
+    if (!trial.outcome.compiled)
+        proof.complaints.push_back(trial.change.id + " does not compile: " + trial.outcome.complaint);
+    else if (trial.outcome.too_long)
+        proof.complaints.push_back(trial.change.id + " does not end");
+    else if (!fails(trial.outcome))
+        proof.complaints.push_back(trial.change.id + " passes all checks");
+    else
+        ++count.stubs_failing;
+}
+
+void judge_picture(const Trial& trial, Count& count, StepProof& proof) {
+    if (!trial.picture) return;
+    ++count.pictures;
+    count.differing += trial.differs;
+    const bool says_nothing = trial.mistake->shows.starts_with("nothing");
+    if (says_nothing && trial.differs)
+        proof.complaints.push_back(trial.change.id + " changes the picture, but its Shows says not");
+    if (!says_nothing && !trial.differs)
+        proof.complaints.push_back(trial.change.id + " changes no pixel, but its Shows says so");
+}
+
+void judge_name(const Trial& trial, const std::vector<Signature>& known, Count& count, StepProof& proof) {
+    const Signature seen = signature_of(trial.change.id, trial.outcome.results);
+    const int group = group_size(known, seen);
+    count.named_first += group == 1;
+    count.named_in_group += group >= 1;
+    count.still_first += group_size(known, thinned(seen)) == 1;
+    if (group > 1)
+        proof.complaints.push_back(trial.change.id +
+                                   ": these cannot be told apart:" + group_words(known, seen));
+    if (group == 0)
+        proof.complaints.push_back(trial.change.id + " is taken for" + group_words(known, seen) +
+                                   " (./learn prove --write notes the signatures anew)");
+}
+
+void judge_mistake(const Trial& trial, const std::vector<Signature>& known, Count& count, StepProof& proof) {
+    ++count.mistakes;
+    judge_picture(trial, count, proof);
+    if (!trial.outcome.compiled) {
+        proof.complaints.push_back(trial.change.id + " does not compile: " + trial.outcome.complaint);
+    } else if (!fails(trial.outcome)) {
+        proof.complaints.push_back(trial.change.id + " is not caught");
+    } else {
+        ++count.caught;
+        judge_name(trial, known, count, proof);
+    }
+}
+
+std::vector<Signature> signatures_of(const StepProof& proof) {
+    std::vector<Signature> signatures;
+    for (const Trial& trial : proof.trials)
+        if (trial.mistake != nullptr)
+            signatures.push_back(signature_of(trial.change.id, trial.outcome.results));
+    return signatures;
+}
+
+Count judge(const Toolchain& tools, StepProof& proof, bool write) {
+    const std::string path = "mistakes/" + proof.step + ".signatures";
+    if (write) write_file((tools.root / path).string(), signatures_text(proof.step, signatures_of(proof)));
+    const std::vector<Signature> known = read_signatures(tools.root, proof.step);
+    const fs::path right = picture_path(tools, proof.trials[0].change);
+    Count count{.step = proof.step};
+    judge_reference(proof.trials[0], proof);
+    for (std::size_t i = 1; i < proof.trials.size(); ++i) {
+        Trial& trial = proof.trials[i];
+        trial.differs = trial.picture && differ(right, picture_path(tools, trial.change));
+        if (trial.mistake == nullptr)
+            judge_stub(trial, count, proof);
+        else
+            judge_mistake(trial, known, count, proof);
+    }
+    return count;
+}
+
+std::string json_fields(const Count& count) {
+    std::ostringstream out;
+    out << "\"stubs\": " << count.stubs << ", \"stubs_failing\": " << count.stubs_failing
+        << ", \"mistakes\": " << count.mistakes << ", \"caught\": " << count.caught
+        << ", \"named_first\": " << count.named_first << ", \"named_in_group\": " << count.named_in_group
+        << ", \"pictures\": " << count.pictures << "}";
+    return out.str();
+}
+
+std::string json(const std::vector<Count>& counts, const Count& total) {
+    std::string out = "{\"steps\": [";
+    for (std::size_t i = 0; i < counts.size(); ++i)
+        out += (i > 0 ? ",\n  " : "\n  ") + std::string("{\"step\": \"") + counts[i].step + "\", " +
+               json_fields(counts[i]);
+    return out + "\n],\n\"total\": {" + json_fields(total) + "}\n";
+}
+
+void print_row(const Count& count) {
+    const auto cell = [](const std::string& text, int width) {
+        std::cout << std::string(std::size_t(std::max(0, width - int(text.size()))), ' ') << text;
+    };
+    const auto of = [](int part, int whole) { return std::to_string(part) + "/" + std::to_string(whole); };
+    std::cout << count.step << std::string(std::size_t(std::max(0, 15 - int(count.step.size()))), ' ');
+    cell(of(count.stubs_failing, count.stubs), 11);
+    cell(of(count.caught, count.mistakes), 10);
+    cell(std::to_string(count.named_first), 13);
+    cell(std::to_string(count.named_in_group), 10);
+    cell(std::to_string(count.still_first), 13);
+    cell(count.pictures > 0 ? of(count.differing, count.pictures) : "-", 12);
+    std::cout << "\n";
+}
+
+void print_table(const std::vector<Count>& counts, const Count& total) {
+    std::cout << "step           stubs fail    caught  named alone  in group  a third lost  wrong picture\n";
+    for (const Count& count : counts) print_row(count);
+    print_row(total);
+}
+
+std::vector<StepProof> plan_all(const Toolchain& tools, const std::string& wanted) {
+    std::vector<StepProof> proofs;
+    for (const std::string& step : step_names(tools.root, wanted)) {
+        prepare(tools, step);
+        proofs.push_back(plan(tools.root, step));
+    }
+    return proofs;
+}
+
+void try_all(const Toolchain& tools, std::vector<StepProof>& proofs, const Wishes& wishes) {
+    std::vector<Trial*> trials;
+    for (StepProof& proof : proofs)
+        for (Trial& trial : proof.trials) trials.push_back(&trial);
+    const int cores = int(std::max(1u, std::thread::hardware_concurrency()));
+    in_parallel(trials.size(), wishes.jobs > 0 ? wishes.jobs : cores,
+                [&](std::size_t i) { try_out(tools, *trials[i], !wishes.no_pictures); });
+}
+
+bool prove(const Wishes& wishes) {
+    const auto begin = std::chrono::steady_clock::now();
+    if (wishes.fresh) fs::remove_all(fs::path(wishes.root) / "build" / "prove");
+    const Toolchain tools = read_toolchain(wishes.root, wishes.build);
+    if (!wishes.json.empty()) check_file_writable(wishes.json);
+    std::vector<StepProof> proofs = plan_all(tools, wishes.step);
+    try_all(tools, proofs, wishes);
+    std::vector<Count> counts;
+    Count total{.step = "total"};
+    for (StepProof& proof : proofs) {
+        counts.push_back(judge(tools, proof, wishes.write));
+        total.add(counts.back());
+        for (const std::string& complaint : proof.complaints)
+            std::cout << proof.step << ": " << complaint << "\n";
+    }
+    print_table(counts, total);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+    std::cout << "took " << int(seconds.count() + 0.5) << " s\n";
+    if (!wishes.json.empty()) write_file(wishes.json, json(counts, total));
+    return total.proved();
+}
+
+} // namespace
+
+} // namespace rt
+
+int main(int argc, char** argv) {
+    rt::Wishes wishes;
+    CLI::App app("Proves that the checks check: every stub fails them, every mistake of the catalogue is "
+                 "caught and named.\n"
+                 "Exit code: 0 all of it holds, 1 something does not, 2 an error.",
+                 "prove");
+    app.add_option("--json", wishes.json, "writes the counts to this file");
+    app.add_option("--step", wishes.step, "one step alone: 3, 03 or 03_mirror");
+    app.add_flag("--no-pictures", wishes.no_pictures, "does not render the wrong pictures");
+    app.add_flag("--write", wishes.write, "notes the signatures of the mistakes in mistakes/*.signatures");
+    app.add_flag("--fresh", wishes.fresh,
+                 "builds all of it anew, in place of what did not change since the last time");
+    app.add_option("--jobs", wishes.jobs, "how many at a time; 0 for as many as there are cores")
+        ->check(CLI::Range(0, 1024));
+    app.add_option("--root", wishes.root, "the project's folder")->required();
+    app.add_option("--build", wishes.build, "the build's folder")->required();
+    try {
+        app.parse(argc, argv);
+        return rt::prove(wishes) ? 0 : 1;
+    } catch (const CLI::ParseError& said) {
+        return app.exit(said) == 0 ? 0 : 2;
+    } catch (const std::exception& problem) {
+        std::cerr << "prove: " << problem.what() << "\n";
+        return 2;
+    }
+}
