@@ -155,12 +155,6 @@ void say_checks(const Project& project, const std::string& step, const Findings&
         out << "          workshop/" << step << " holds no file of yours: this is the reference\n";
 }
 
-/// The first lines: the report has all of them.
-void say_picture(const PictureFinding& picture, std::ostream& out) {
-    for (std::size_t i = 0; i < picture.lines.size() && i < 3; ++i)
-        out << "picture   " << picture.lines[i] << "\n";
-}
-
 void say_mistake(const Findings& findings, std::ostream& out) {
     if (failures(findings.checks) == 0 || findings.untouched.size() == findings.exercises.size()) return;
     if (!findings.mistake) {
@@ -242,7 +236,7 @@ int check_step(const Project& project, const CheckWish& wish, std::ostream& out)
     say_checks(project, wish.step, findings, out);
     out << std::flush;
     findings.picture = wish.picture ? judge_picture(project.root, wish.step, wish.build) : no_picture();
-    say_picture(findings.picture, out);
+    for (const std::string& line : findings.picture.lines) out << "picture   " << line << "\n";
     find_mistake(project, wish.step, findings);
     say_mistake(findings, out);
     findings.next = next_thing(project, wish.step, findings);

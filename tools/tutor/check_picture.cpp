@@ -41,6 +41,15 @@ PictureFinding failed(std::string line) {
     return finding;
 }
 
+/// What kind of difference, where, and why if that is known: FLIP has a line of its own in the report.
+std::vector<std::string> in_short(const Judgement& judgement) {
+    std::vector<std::string> lines = judgement.lines;
+    lines.resize(std::min<std::size_t>(lines.size(), 2));
+    if (!judgement.explanation.empty() && judgement.explanation != none_of_these)
+        lines.push_back("explanation: " + judgement.explanation);
+    return lines;
+}
+
 } // namespace
 
 PictureFinding no_picture() {
@@ -78,7 +87,7 @@ PictureFinding judge_picture(const fs::path& root, const std::string& step, cons
     finding.judgement = judge(question);
     finding.verdict = name_of(finding.judgement->finding);
     finding.holds = is_same(finding.judgement->finding);
-    finding.lines = finding.judgement->lines;
+    finding.lines = in_short(*finding.judgement);
     finding.mine = out / (step + ".png");
     finding.reference = references / (step + ".png");
     finding.map = out / (step + ".map.png");
