@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <sstream>
 
 namespace rt {
 
@@ -155,23 +156,14 @@ void say_checks(const Project& project, const std::string& step, const Findings&
         out << "          workshop/" << step << " holds no file of yours: this is the reference\n";
 }
 
-void say_mistake(const Findings& findings, std::ostream& out) {
-    if (failures(findings.checks) == 0 || findings.untouched.size() == findings.exercises.size()) return;
-    if (!findings.mistake) {
-        out << "likely    none of the mistakes that we know. Begin with the first red check: later ones may "
-               "follow "
-               "from it.\n";
-        return;
-    }
-    const Mistake& mistake = *findings.mistake;
-    out << "likely    " << mistake.title << " (" << words(findings.diagnosis.confidence) << ")\n"
-        << "          " << mistake.why << "\n          " << mistake.fix << "\n";
-    if (findings.diagnosis.ids.size() > 1) {
-        out << "          or one that fails the same checks in the same way:";
-        for (std::size_t i = 1; i < findings.diagnosis.ids.size(); ++i)
-            out << " " << findings.diagnosis.ids[i];
-        out << "\n";
-    }
+/// While all is still as it was cut, the stub is the mistake.
+void say_mistake(const Project& project, const std::string& step, const Findings& findings,
+                 std::ostream& out) {
+    if (findings.untouched.size() == findings.exercises.size()) return;
+    std::istringstream lines(explanation(findings.diagnosis, read_catalogue(project.root, step)));
+    std::string margin = "likely    ";
+    for (std::string line; std::getline(lines, line); margin = std::string(10, ' '))
+        out << margin << line << "\n";
 }
 
 // --- what stays -------------------------------------------------------------------------------------------------
@@ -238,7 +230,7 @@ int check_step(const Project& project, const CheckWish& wish, std::ostream& out)
     findings.picture = wish.picture ? judge_picture(project.root, wish.step, wish.build) : no_picture();
     for (const std::string& line : findings.picture.lines) out << "picture   " << line << "\n";
     find_mistake(project, wish.step, findings);
-    say_mistake(findings, out);
+    say_mistake(project, wish.step, findings, out);
     findings.next = next_thing(project, wish.step, findings);
     const fs::path report = write_report(project, wish, findings);
     write_check(project, wish.step,

@@ -243,9 +243,8 @@ std::string explanation(const Diagnosis& diagnosis, const std::vector<Mistake>& 
                ".\n  Why: " + mistake->why + "\n  Fix: " + mistake->fix + "\n";
     }
     if (!out.empty()) return out;
-    out = "It is none of the mistakes that we know. Begin with the first check that fails; later ones may "
-          "follow from "
-          "it:\n  " +
+    out = "It is none of the mistakes that we know. Begin with the first check that fails; later ones may\n"
+          "follow from it:\n  " +
           diagnosis.first.name + "\n";
     if (diagnosis.first.failures.empty()) return out + "  it does not end\n";
     const Failure& failure = diagnosis.first.failures[0];

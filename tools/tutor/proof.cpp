@@ -201,6 +201,15 @@ Toolchain read_toolchain(const fs::path& root, const fs::path& build) {
     return tools;
 }
 
+std::string proof_key(const Toolchain& tools, const std::string& step) {
+    Hash hash;
+    std::set<std::string> seen;
+    for (const std::string& source : check_sources(tools, step))
+        add_with_includes(tools, {}, source, seen, hash);
+    hash.add(read_file((tools.root / "mistakes" / (step + ".md")).string()));
+    return hash.text();
+}
+
 void prepare(const Toolchain& tools, const std::string& step) {
     const fs::path folder = tools.work / optimisation(step);
     const fs::path prefix = folder / "prefix.h", made = folder / "prefix.h.gch",

@@ -38,6 +38,9 @@ struct Outcome {
     std::vector<CheckResult> results;
 };
 
+/// Of all that the proof of a step depends on: its checks, whatever they include, and its mistakes.
+std::string proof_key(const Toolchain& tools, const std::string& step);
+
 /// Compiles what the checks of the step include, once. Throws Error.
 void prepare(const Toolchain& tools, const std::string& step);
 

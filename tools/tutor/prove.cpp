@@ -14,6 +14,7 @@
 #include <chrono>
 #include <exception>
 #include <iostream>
+#include <map>
 #include <mutex>
 #include <set>
 #include <sstream>
@@ -31,6 +32,7 @@ struct Wishes {
     bool no_pictures = false;
     bool write = false;
     bool fresh = false;
+    bool changed = false;
 };
 
 /// One change to be tried, and what came of it.
@@ -294,9 +296,32 @@ void print_table(const std::vector<Count>& counts, const Count& total) {
     print_row(total);
 }
 
-std::vector<StepProof> plan_all(const Toolchain& tools, const std::string& wanted) {
+/// mistakes/proved.txt: of each step, the key of what was proved when all of it held.
+std::map<std::string, std::string> noted_keys(const Toolchain& tools) {
+    std::map<std::string, std::string> keys;
+    const fs::path path = tools.root / "mistakes" / "proved.txt";
+    if (!fs::exists(path)) return keys;
+    std::istringstream lines(read_file(path.string()));
+    for (std::string line, step, key; std::getline(lines, line);)
+        if (std::istringstream words(line); line[0] != '#' && words >> step >> key) keys[step] = key;
+    return keys;
+}
+
+void note_key(const Toolchain& tools, const std::string& step) {
+    std::map<std::string, std::string> keys = noted_keys(tools);
+    keys[step] = proof_key(tools, step);
+    std::string text =
+        "# Of each step, the key of what was proved when all of it held: its checks, what they include, and "
+        "its\n# mistakes. Written by ./learn prove --write, read by ./learn prove --changed.\n";
+    for (const auto& [name, key] : keys) text += name + " " + key + "\n";
+    write_file((tools.root / "mistakes" / "proved.txt").string(), text);
+}
+
+std::vector<StepProof> plan_all(const Toolchain& tools, const Wishes& wishes) {
     std::vector<StepProof> proofs;
-    for (const std::string& step : step_names(tools.root, wanted)) {
+    std::map<std::string, std::string> noted = noted_keys(tools);
+    for (const std::string& step : step_names(tools.root, wishes.step)) {
+        if (wishes.changed && noted[step] == proof_key(tools, step)) continue;
         prepare(tools, step);
         proofs.push_back(plan(tools.root, step));
     }
@@ -317,13 +342,14 @@ bool prove(const Wishes& wishes) {
     if (wishes.fresh) fs::remove_all(fs::path(wishes.root) / "build" / "prove");
     const Toolchain tools = read_toolchain(wishes.root, wishes.build);
     if (!wishes.json.empty()) check_file_writable(wishes.json);
-    std::vector<StepProof> proofs = plan_all(tools, wishes.step);
+    std::vector<StepProof> proofs = plan_all(tools, wishes);
     try_all(tools, proofs, wishes);
     std::vector<Count> counts;
     Count total{.step = "total"};
     for (StepProof& proof : proofs) {
         counts.push_back(judge(tools, proof, wishes.write));
         total.add(counts.back());
+        if (wishes.write && counts.back().proved()) note_key(tools, proof.step);
         for (const std::string& complaint : proof.complaints)
             std::cout << proof.step << ": " << complaint << "\n";
     }
@@ -348,6 +374,8 @@ int main(int argc, char** argv) {
     app.add_option("--step", wishes.step, "one step alone: 3, 03 or 03_mirror");
     app.add_flag("--no-pictures", wishes.no_pictures, "does not render the wrong pictures");
     app.add_flag("--write", wishes.write, "notes the signatures of the mistakes in mistakes/*.signatures");
+    app.add_flag("--changed", wishes.changed,
+                 "leaves out the steps that have not changed since they were proved (mistakes/proved.txt)");
     app.add_flag("--fresh", wishes.fresh,
                  "builds all of it anew, in place of what did not change since the last time");
     app.add_option("--jobs", wishes.jobs, "how many at a time; 0 for as many as there are cores")
