@@ -85,8 +85,9 @@ std::vector<std::string> check_sources(const Toolchain& tools, const std::string
         if (name.starts_with(step) && name.ends_with(".cpp")) sources.push_back("tests/" + name);
     }
     std::ranges::sort(sources);
-    std::ranges::stable_partition(
-        sources, [](const std::string& name) { return name.find("_statistics") == std::string::npos; });
+    std::stable_partition(sources.begin(), sources.end(), [](const std::string& name) {
+        return name.find("_statistics") == std::string::npos;
+    });
     return sources;
 }
 
