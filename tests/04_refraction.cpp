@@ -749,11 +749,11 @@ TEST_CASE("of balls, planes and quads a ray meets the nearest in a world with gl
 TEST_CASE("each kind of shape hides a light, glass as well as chalk") {
     const Ray between{vec3(0), -4.0f * normal, 0, 1}, before{vec3(0), -4.0f * normal, 0, 0.25f};
     const vec3 corner = -2.0f * normal - tangent - binormal;
-    Scene ball, floor, wall;
-    ball.spheres = {{-2.0f * normal, 0.5f, 0}};
-    floor.planes = {{-2.0f * normal, normal, 0}};
-    wall.quads = {{corner, 2.0f * tangent, 2.0f * binormal, 0}};
-    for (Scene* scene : {&ball, &floor, &wall}) {
+    Scene round, level, upright;
+    round.spheres = {{-2.0f * normal, 0.5f, 0}};
+    level.planes = {{-2.0f * normal, normal, 0}};
+    upright.quads = {{corner, 2.0f * tangent, 2.0f * binormal, 0}};
+    for (Scene* scene : {&round, &level, &upright}) {
         add(*scene, Glass{Medium{1.5f}});
         CHECK_MESSAGE(occluded(*scene, between), "no shadow: a kind of shape is not asked");
         CHECK_MESSAGE(!occluded(*scene, before), "what stands beyond the light hides nothing");

@@ -73,7 +73,8 @@ TEST_CASE("one gain for the whole picture is explained, and named where it has a
     const std::vector<std::pair<std::string, double>> gains{
         {"pi", exact_pi},       {"1/pi", 1 / exact_pi},           {"2", 2},     {"1/2", 0.5},
         {"4 pi", 4 * exact_pi}, {"1/(4 pi)", 1 / (4 * exact_pi)}, {"1.3", 1.3}, {"0.88", 0.88}};
-    for (const auto& [name, gain] : gains) {
+    for (const auto& [named, gain] : gains) {
+        const std::string name = named; // what INFO keeps for later must be no binding
         const auto brighter = [gain = float(gain)](vec3 c) { return c * gain; };
         const Image dim = changed(right, [](vec3 c) { return c * 0.06f; }); // so that a PNG holds 4 pi of it
         INFO(name);

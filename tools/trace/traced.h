@@ -54,7 +54,7 @@ std::string name_of(const Material&) {
 
 inline void say_hit(const Scene& scene, const Ray& ray, const std::optional<Hit>& hit) {
     say("ray from %s towards %s", text(ray.origin).c_str(), text(ray.direction).c_str());
-    if (!hit) return say("  meets nothing");
+    if (!hit) return say("  meets %s", "nothing");
     const auto& material = scene.materials[std::size_t(hit->material)];
     const std::string name = std::visit([](const auto& arm) { return name_of(arm); }, material);
     say("  meets material %d, a %s, at t = %.6g%s", hit->material, name.c_str(), double(hit->t),
