@@ -4,20 +4,45 @@
 #include "common/file_bytes.h"
 #include "tools/tutor/process.h"
 
-#include <regex>
 #include <sstream>
 
 namespace rt {
 
+namespace {
+
+/// What stands before the last colon, which is taken off; empty if there is none.
+std::string last_part(std::string& text) {
+    const std::size_t colon = text.rfind(':');
+    if (colon == std::string::npos) return "";
+    const std::string part = text.substr(colon + 1);
+    text.resize(colon);
+    return part;
+}
+
+bool is_number(const std::string& text) {
+    return !text.empty() && text.size() < 9 && text.find_first_not_of("0123456789") == std::string::npos;
+}
+
+std::optional<CompileError> error_in(const std::string& line) {
+    for (const std::string mark : {": error: ", ": fatal error: "}) {
+        const std::size_t place = line.find(mark);
+        if (place == std::string::npos) continue;
+        std::string file = line.substr(0, place);
+        const std::string column = last_part(file), number = last_part(file);
+        if (is_number(column) && is_number(number) && !file.empty())
+            return CompileError{file, std::stoi(number), line.substr(place + mark.size())};
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
 std::optional<CompileError> first_error(const std::string& log, const std::string& preferred) {
-    static const std::regex pattern(R"(^(.+?):(\d+):\d+: (?:fatal )?error: (.*)$)");
     std::optional<CompileError> first;
     std::istringstream lines(log);
-    std::smatch found;
     for (std::string line; std::getline(lines, line);) {
-        if (line.find("error: ") == std::string::npos || !std::regex_match(line, found, pattern)) continue;
-        const CompileError error{found[1], std::stoi(found[2]), found[3]};
-        if (error.file.find(preferred) != std::string::npos) return error;
+        const auto error = error_in(line);
+        if (error && error->file.find(preferred) != std::string::npos) return error;
         if (!first) first = error;
     }
     return first;
