@@ -4,7 +4,7 @@
 #include "tests/check.h"
 
 #include "common/error.h"
-#include "common/image.h"
+#include "common/image_file.h"
 #include "common/match.h"
 #include "common/obj_file.h"
 #include "common/options.h"

@@ -3,8 +3,7 @@
 #include "common/compare/compare.h"
 
 #include "common/error.h"
-#include "common/random.h"
-#include "tests/malformed/folder.h"
+#include "tests/common/compare_pictures.h"
 
 #include <doctest/doctest.h>
 
@@ -26,31 +25,7 @@ Image scene() {
     return image;
 }
 
-constexpr int samples = 64;
-
-/// What a right renderer makes of a scene: 64 samples a pixel, exponentially distributed as light often is.
-struct Noisy {
-    Image mean, variance;
-
-    Noisy(const Image& truth, std::uint64_t seed) : mean(truth), variance(truth.width, truth.height) {
-        for (int y = 0; y < truth.height; ++y) {
-            for (int x = 0; x < truth.width; ++x) {
-                Random random(x, y, 0, seed);
-                double sum = 0, squares = 0;
-                for (int i = 0; i < samples; ++i) {
-                    const double weight = -std::log(1 - double(random.uniform()));
-                    sum += weight;
-                    squares += weight * weight;
-                }
-                const double m = sum / samples, light = double(luminance(truth(x, y)));
-                mean(x, y) = truth(x, y) * float(m);
-                variance(x, y) = vec3(float((squares / samples - m * m) / (samples - 1) * light * light));
-            }
-        }
-    }
-};
-
-TileDifference compared(const Noisy& a, const Noisy& b) {
+TileDifference compared(const NoisyPicture& a, const NoisyPicture& b) {
     return tile_difference(a.mean, b.mean, a.variance, b.variance);
 }
 
@@ -60,7 +35,7 @@ TEST_CASE("a picture is the same as itself") {
     const Verdict same = verdict(difference(scene(), scene()));
     CHECK(same.same);
     CHECK(same.words == "same picture (largest difference 0, mean 0)");
-    const Noisy noisy(scene(), 1);
+    const NoisyPicture noisy(scene(), 1);
     CHECK(verdict(compared(noisy, noisy)).same);
 }
 
@@ -138,7 +113,7 @@ TEST_CASE("two right renders with different seeds are the same picture up to noi
     const Image truth = scene();
     int alarms = 0, tiles = 0, failures = 0;
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-        const TileDifference d = compared(Noisy(truth, 2 * seed), Noisy(truth, 2 * seed + 1));
+        const TileDifference d = compared(NoisyPicture(truth, 2 * seed), NoisyPicture(truth, 2 * seed + 1));
         CHECK(d.tiles == 20 * 13);
         alarms += d.alarms;
         tiles += d.tiles;
@@ -156,7 +131,7 @@ TEST_CASE("z is a standard normal number when nothing but noise differs") {
     for (std::uint64_t seed = 1; seed <= 200; ++seed) { // one tile at a time
         Image tile(8, 8);
         for (vec3& pixel : tile.pixels) pixel = truth(70, 70);
-        const double z = compared(Noisy(tile, 2 * seed), Noisy(tile, 2 * seed + 1)).largest_z;
+        const double z = compared(NoisyPicture(tile, 2 * seed), NoisyPicture(tile, 2 * seed + 1)).largest_z;
         squares += z * z;
         ++count;
     }
@@ -169,7 +144,7 @@ TEST_CASE("a bias is found in its tile, with its sign and size") {
     for (int y = 48; y < 56; ++y) {
         for (int x = 104; x < 112; ++x) changed(x, y) *= 1.2f;
     }
-    const Noisy right(scene(), 5), wrong(changed, 6);
+    const NoisyPicture right(scene(), 5), wrong(changed, 6);
     const TileDifference d = compared(wrong, right);
     CHECK(d.alarms == 1);
     CHECK(d.x == 104);
@@ -186,7 +161,7 @@ TEST_CASE("a bias is found in its tile, with its sign and size") {
 TEST_CASE("a change of the whole picture by a tenth lights many tiles") {
     Image changed = scene();
     for (vec3& pixel : changed.pixels) pixel *= 0.9f;
-    const TileDifference d = compared(Noisy(changed, 7), Noisy(scene(), 8));
+    const TileDifference d = compared(NoisyPicture(changed, 7), NoisyPicture(scene(), 8));
     CHECK(d.alarms > 100);
     CHECK(d.largest_z < -4);
 }

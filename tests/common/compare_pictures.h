@@ -53,7 +53,8 @@ inline StoredImage through_file(const Image& image, const std::string& ending) {
     return read_stored(path);
 }
 
-/// 64 samples a pixel, exponentially distributed, and their variance.
+/// What a right renderer makes of a scene: 64 samples a pixel, exponentially distributed as light often is, and their
+/// variance.
 struct NoisyPicture {
     Image mean, variance;
 

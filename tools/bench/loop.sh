@@ -12,7 +12,7 @@ larger() { awk "BEGIN { print ($1 > $2) ? $1 : $2 }"; }
 waited() { # $1: the file that is saved; the rest: flags for check
     local begin file=$1
     shift
-    touch "$file"
+    touch "$file" || exit 1
     begin=$(now)
     "$build/bin/tutor" --root "$root" --workshop "$build/loop" check "$step" --build "$build" "$@" >"$build/said_loop.txt" || {
         cat "$build/said_loop.txt" >&2
@@ -30,13 +30,14 @@ comma="" steps=""
 for folder in "$root"/steps/*/; do
     step=$(basename "$folder")
     checks=0 picture=0 slowest=""
-    for file in $(grep -l '//>' "$folder"*.h); do
-        seconds=$(waited "$file" --no-picture)
+    for file in "$folder"*.h; do
+        grep -q '//>' "$file" || continue
+        seconds=$(waited "$file" --no-picture) || exit 1
         if [ "$(larger "$seconds" "$checks")" = "$seconds" ]; then
             checks=$seconds slowest=$file
         fi
     done
-    picture=$(waited "$slowest")
+    picture=$(waited "$slowest") || exit 1
     printf '%-15s %-12s %10s %13s\n' "$step" "$(basename "$slowest")" "$checks" "$picture"
     steps="$steps$comma{\"step\": \"$step\", \"file\": \"$(basename "$slowest")\", \"checks_seconds\": $checks, \"picture_seconds\": $picture}"
     comma=", "

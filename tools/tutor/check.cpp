@@ -13,6 +13,7 @@
 #include "tools/tutor/report.h"
 
 #include <algorithm>
+#include <chrono>
 #include <optional>
 #include <sstream>
 
@@ -78,25 +79,41 @@ const Exercise* exercise_at(const Project& project, const std::vector<Exercise>&
     return nearest;
 }
 
-void say_compile_error(const Project& project, const std::vector<Exercise>& exercises, const Built& built,
-                       const std::string& step, std::ostream& out) {
-    if (!built.error) throw Error("the build failed, but not in a file of yours; it says: " + built.log);
-    const CompileError& error = *built.error;
-    out << "It does not compile yet. The first error:\n\n  " << shown(error.file, error.line) << "\n    "
-        << error.message << "\n";
-    if (const Exercise* exercise = exercise_at(project, exercises, error)) {
-        const Hints hints = read_hints(project.root, step, exercises);
-        out << "\n  " << exercise->name << ": " << exercise->task << "\n  " << hints.at(exercise->name)[0]
-            << "\n";
-        out << "\nnext      ./learn hint " << number_of(step) << " " << exercise->name << "\n";
-    }
+/// The first error alone, and the first hint for the function that it is in.
+void say_compile_error(const Project& project, const std::string& step, const Built& built,
+                       Findings& findings, std::ostream& out) {
+    if (!built.error) throw Error("the build failed, but not for an error in a file; it says: " + built.log);
+    const std::string place = shown(built.error->file, built.error->line);
+    out << "It does not compile yet. The first error:\n\n  " << place << "\n    " << built.error->message
+        << "\n\n";
+    findings.picture = no_picture("it does not compile yet");
+    findings.picture.lines = {place + ": " + built.error->message};
+    findings.next = "./learn check " + number_of(step);
+    const Exercise* const exercise = exercise_at(project, findings.exercises, *built.error);
+    if (!exercise) return;
+    const Hints hints = read_hints(project.root, step, findings.exercises);
+    out << "  " << exercise->name << ": " << exercise->task << "\n  " << hints.at(exercise->name)[0]
+        << "\n\n";
+    findings.next = "./learn hint " + number_of(step) + " " + exercise->name;
+}
+
+/// The checks of a step before. Once all of them hold, nothing but another program changes that: `kept` is what they
+/// said then.
+std::vector<CheckResult> checks_before(const fs::path& program, const fs::path& kept) {
+    std::error_code ignored;
+    if (fs::last_write_time(kept, ignored) > fs::last_write_time(program, ignored))
+        return parse_results(read_file(kept.string()));
+    std::vector<CheckResult> checks = run_all_checks(program, kept);
+    if (failures(checks) > 0) fs::remove(kept, ignored);
+    return checks;
 }
 
 /// The checks of the steps before; what the learner wrote there counts here as well.
 void run_earlier(const Project& project, const CheckWish& wish, Findings& findings) {
     for (const std::string& step : all_steps(project)) {
         if (step >= wish.step) break;
-        const auto checks = run_all_checks(wish.build / "bin" / ("test_" + step), wish.build / "said.txt");
+        const auto checks =
+            checks_before(wish.build / "bin" / ("test_" + step), wish.build / ("said_" + step + ".txt"));
         findings.earlier.push_back(step + ": " + held(checks));
         findings.earlier_hold = findings.earlier_hold && failures(checks) == 0;
     }
@@ -151,7 +168,6 @@ void say_checks(const Project& project, const std::string& step, const Findings&
     for (const CheckResult& check : findings.checks)
         if (has_failed(check) && said++ < 3) say_failure(check, out);
     if (said > 3) out << "  red     and " << said - 3 << " more: the report has them\n";
-    for (const std::string& line : findings.earlier) out << "earlier   " << line << "\n";
     if (own_files(project, step).empty())
         out << "          workshop/" << step << " holds no file of yours: this is the reference\n";
 }
@@ -205,39 +221,53 @@ fs::path write_report(const Project& project, const CheckWish& wish, const Findi
     return path;
 }
 
+/// The step's checks, those of the steps before, and the program: what changed of them.
+Built build_all(const Project& project, const CheckWish& wish, std::ostream& out) {
+    std::vector<std::string> targets{"test_" + wish.step};
+    if (wish.picture) targets.push_back(wish.step);
+    for (const std::string& step : all_steps(project))
+        if (step < wish.step) targets.push_back("test_" + step);
+    out << "building  " << std::flush;
+    const auto begin = std::chrono::steady_clock::now();
+    const Built built = build_targets(wish.build, targets, wish.build / "said.txt", "/workshop/");
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+    out << int(took.count() * 10) / 10.0 << " s\n" << std::flush;
+    return built;
+}
+
+/// Runs the checks, renders, compares; says what holds, what is likely wrong and what is next.
+void find_out(const Project& project, const CheckWish& wish, Findings& findings, std::ostream& out) {
+    findings.checks = run_all_checks(wish.build / "bin" / ("test_" + wish.step), wish.build / "said.txt");
+    say_checks(project, wish.step, findings, out);
+    out << std::flush;
+    run_earlier(project, wish, findings);
+    for (const std::string& line : findings.earlier) out << "earlier   " << line << "\n";
+    findings.picture = wish.picture ? judge_picture(project.root, wish.step, wish.build)
+                                    : no_picture("only the checks were asked for");
+    for (const std::string& line : findings.picture.lines) out << "picture   " << line << "\n";
+    find_mistake(project, wish.step, findings);
+    say_mistake(project, wish.step, findings, out);
+    findings.next = next_thing(project, wish.step, findings);
+}
+
 } // namespace
 
 int check_step(const Project& project, const CheckWish& wish, std::ostream& out) {
     Findings findings;
     findings.exercises = exercises_of(project, wish.step);
     findings.untouched = untouched_exercises(project, wish.step, findings.exercises);
-    out << "Step " << number_of(wish.step) << ": " << question_of(project, wish.step) << "\n" << std::flush;
-
-    std::vector<std::string> targets{"test_" + wish.step};
-    if (wish.picture) targets.push_back(wish.step);
-    for (const std::string& step : all_steps(project))
-        if (step < wish.step) targets.push_back("test_" + step);
-    const Built built = build_targets(wish.build, targets, wish.build / "said.txt", "/workshop/");
-    if (!built.well) {
-        say_compile_error(project, findings.exercises, built, wish.step, out);
-        return 1;
-    }
-
-    findings.checks = run_all_checks(wish.build / "bin" / ("test_" + wish.step), wish.build / "said.txt");
-    run_earlier(project, wish, findings);
-    say_checks(project, wish.step, findings, out);
-    out << std::flush;
-    findings.picture = wish.picture ? judge_picture(project.root, wish.step, wish.build) : no_picture();
-    for (const std::string& line : findings.picture.lines) out << "picture   " << line << "\n";
-    find_mistake(project, wish.step, findings);
-    say_mistake(project, wish.step, findings, out);
-    findings.next = next_thing(project, wish.step, findings);
+    out << "Step " << number_of(wish.step) << ": " << question_of(project, wish.step) << "\n";
+    const Built built = build_all(project, wish, out);
+    if (built.well)
+        find_out(project, wish, findings, out);
+    else
+        say_compile_error(project, wish.step, built, findings, out);
     const fs::path report = write_report(project, wish, findings);
     write_check(project, wish.step,
                 {int(findings.checks.size() - failures(findings.checks)), int(failures(findings.checks)),
                  findings.picture.verdict, fingerprint(project, wish.step)});
     out << "next      " << findings.next << "\nreport    " << shown(report) << "\n";
-    return all_hold(findings) ? 0 : 1;
+    return built.well && all_hold(findings) ? 0 : 1;
 }
 
 } // namespace rt

@@ -32,12 +32,11 @@ std::vector<std::string> split(const std::string& words) {
     return all;
 }
 
-PictureFinding failed(std::string line) {
-    std::ranges::replace(line, '\n', ' ');
-    PictureFinding finding;
+PictureFinding failed(std::string reason) {
+    std::ranges::replace(reason, '\n', ' ');
+    PictureFinding finding = no_picture(reason);
     finding.holds = false;
     finding.verdict = "failed";
-    finding.lines = {"none: " + line};
     return finding;
 }
 
@@ -52,10 +51,11 @@ std::vector<std::string> in_short(const Judgement& judgement) {
 
 } // namespace
 
-PictureFinding no_picture() {
+PictureFinding no_picture(const std::string& reason) {
     PictureFinding finding;
     finding.verdict = "none";
-    finding.lines = {"none: only the checks were asked for"};
+    finding.reason = reason;
+    finding.lines = {"none: " + reason};
     return finding;
 }
 
@@ -99,7 +99,7 @@ PictureFinding judge_picture(const fs::path& root, const std::string& step, cons
 }
 
 void fill(Report& report, const PictureFinding& finding) {
-    report.verdict = finding.judgement ? finding.verdict : finding.lines.front();
+    report.verdict = finding.judgement ? finding.verdict : finding.reason;
     report.verdict_lines = finding.lines;
     report.mine = finding.mine;
     report.reference = finding.reference;

@@ -14,6 +14,7 @@ namespace rt {
 struct PictureFinding {
     bool holds = true;
     std::string verdict;            ///< same, noise, look, different; or none, failed
+    std::string reason;             ///< why there is none, or why it failed
     std::vector<std::string> lines; ///< for a person
     std::optional<Judgement> judgement;
     std::filesystem::path mine, reference, map; ///< PNG files
@@ -25,8 +26,7 @@ struct PictureFinding {
 PictureFinding judge_picture(const std::filesystem::path& root, const std::string& step,
                              const std::filesystem::path& build);
 
-/// Nobody asked for one.
-PictureFinding no_picture();
+PictureFinding no_picture(const std::string& reason);
 
 void fill(Report& report, const PictureFinding& finding);
 

@@ -3,7 +3,9 @@
 
 #include "common/error.h"
 #include "common/file_bytes.h"
+#include "tools/tutor/compile.h"
 #include "tools/tutor/exercises.h"
+#include "tools/tutor/hash.h"
 #include "tools/tutor/process.h"
 
 #include <algorithm>
@@ -23,23 +25,6 @@ std::string optimisation(const std::string& step) {
 }
 
 constexpr RunLimits check_limits{.cpu_seconds = 30, .seconds = 300, .memory = std::uint64_t(4) << 30};
-
-/// Fowler, Noll and Vo, 64 bits, variant 1a.
-class Hash {
-  public:
-    void add(std::string_view bytes) {
-        for (const char c : bytes) state = (state ^ std::uint8_t(c)) * 0x100000001b3u;
-        state = (state ^ 0xff) * 0x100000001b3u; // so that "a", "bc" is not "ab", "c"
-    }
-    std::string text() const {
-        char digits[17];
-        std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(state));
-        return digits;
-    }
-
-  private:
-    std::uint64_t state = 0xcbf29ce484222325u;
-};
 
 /// The name in #include "name", or nothing.
 std::string included(const std::string& line) {
@@ -122,10 +107,10 @@ struct Scratch {
 };
 
 /// The compiler's first error, on one line.
-std::string first_error(const fs::path& log) {
-    for (const std::string& line : lines_of(read_file(log.string())))
-        if (line.find("error") != std::string::npos) return line;
-    return "the compiler failed and did not say why";
+std::string complaint_in(const fs::path& log) {
+    const auto error = first_error(read_file(log.string()), "");
+    if (!error) return "the compiler failed and did not say why";
+    return error->file + ":" + std::to_string(error->line) + ": " + error->message;
 }
 
 /// Compiles and links one file of checks; the compiler's complaint if that fails.
@@ -138,12 +123,12 @@ std::string build_checks(const Toolchain& tools, const std::string& source, cons
          {level, std::string("-include"), (tools.work / level / "prefix.h").string(), std::string("-c"),
           (tools.root / source).string(), std::string("-o"), object.string()})
         compile.push_back(word);
-    if (run_process(compile, log).code != 0) return first_error(log);
+    if (run_process(compile, log).code != 0) return complaint_in(log);
     auto link = compile_command(tools, scratch);
     for (const std::string& word : {object.string(), tools.test_main, tools.library, std::string("-pthread"),
                                     std::string("-o"), program.string()})
         link.push_back(word);
-    return run_process(link, log).code != 0 ? first_error(log) : "";
+    return run_process(link, log).code != 0 ? complaint_in(log) : "";
 }
 
 Outcome outcome_from(const std::string& kept) {
@@ -218,17 +203,17 @@ void prepare(const Toolchain& tools, const std::string& step) {
     Hash hash;
     std::set<std::string> seen;
     hash.add(tools.fixed);
-    add_with_includes(tools, {}, "tools/tutor/prefix.h", seen, hash);
+    add_with_includes(tools, {}, "tests/prefix.h", seen, hash);
     if (fs::exists(made) && fs::exists(stamp) && read_file(stamp.string()) == hash.text()) return;
     fs::create_directories(folder);
-    write_file(prefix.string(), read_file((tools.root / "tools/tutor/prefix.h").string()));
+    write_file(prefix.string(), read_file((tools.root / "tests/prefix.h").string()));
     auto command = compile_command(tools, tools.work);
     for (const std::string& word : {optimisation(step), std::string("-x"), std::string("c++-header"),
                                     prefix.string(), std::string("-o"), made.string()})
         command.push_back(word);
     const fs::path log = folder / "prefix.log";
     if (run_process(command, log).code != 0)
-        throw Error("the checks' headers do not compile: " + first_error(log));
+        throw Error("the checks' headers do not compile: " + complaint_in(log));
     write_file(stamp.string(), hash.text());
 }
 
@@ -256,7 +241,7 @@ bool render_picture(const Toolchain& tools, const Change& change, const fs::path
                                     std::string("-pthread"), std::string("-o"), program.string()})
         command.push_back(word);
     if (run_process(command, log).code != 0)
-        throw Error(change.step + " does not compile: " + first_error(log));
+        throw Error(change.step + " does not compile: " + complaint_in(log));
     fs::create_directories(picture.parent_path());
     fs::remove(picture);
     run_process({program.string(), "--quiet", "--threads", "1", "--width", "240", "--height", "150",

@@ -73,10 +73,11 @@ void name_foundations(const Project& project, const std::string& step, const std
     if (!own.empty()) out << "yours  " << names << ": what you write builds on them\n";
 }
 
-std::string chapter_of(const Project& project, const std::string& step) {
+/// Not the step's folder, where the answers are.
+std::string what_to_read(const Project& project, const std::string& step) {
     std::error_code ignored;
     const fs::path chapter = project.root / "docs" / (step + ".md");
-    return shown(fs::exists(chapter, ignored) ? chapter : steps_folder(project) / step);
+    return fs::exists(chapter, ignored) ? shown(chapter) : "the comment above each function";
 }
 
 } // namespace
@@ -91,7 +92,7 @@ void start_step(const Project& project, const std::string& step, std::ostream& o
     list_tasks(project, exercises, out);
     out << "\n";
     name_foundations(project, step, exercises, out);
-    out << "read   " << chapter_of(project, step) << "\n"
+    out << "read   " << what_to_read(project, step) << "\n"
         << "then   ./learn check " << number << "\n"
         << "stuck  ./learn hint " << number << " " << exercises.front().name << "\n";
 }

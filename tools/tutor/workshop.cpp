@@ -3,12 +3,10 @@
 
 #include "common/error.h"
 #include "common/file_bytes.h"
+#include "tools/tutor/hash.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
-#include <cstdint>
-#include <cstdio>
 
 namespace rt {
 
@@ -61,12 +59,6 @@ std::vector<std::vector<std::string>> read_table(const fs::path& path) {
     if (!fs::exists(path, ignored)) return table;
     for (const std::string& line : lines_of(read_file(path.string()))) table.push_back(fields_of(line));
     return table;
-}
-
-/// FNV-1a: it only has to notice that a file was edited.
-void hash_bytes(std::uint64_t& hash, const std::string& bytes) {
-    for (const char c : bytes) hash = (hash ^ (unsigned(c) & 0xff)) * 0x100000001b3;
-    hash = (hash ^ 0x100) * 0x100000001b3; // an end, so that "a" "bc" is not "ab" "c"
 }
 
 } // namespace
@@ -192,17 +184,15 @@ bool all_well(const LastCheck& check) {
 }
 
 std::string fingerprint(const Project& project, const std::string& step) {
-    std::uint64_t hash = 0xcbf29ce484222325;
+    Hash hash;
     for (const std::string& each : all_steps(project)) {
         if (each > step) break;
         for (const std::string& file : own_files(project, each)) {
-            hash_bytes(hash, each + "/" + file);
-            hash_bytes(hash, read_file((project.workshop / each / file).string()));
+            hash.add(each + "/" + file);
+            hash.add(read_file((project.workshop / each / file).string()));
         }
     }
-    std::array<char, 17> digits{};
-    std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(hash));
-    return digits.data();
+    return hash.text();
 }
 
 ShownHints read_shown_hints(const Project& project) {
