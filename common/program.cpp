@@ -2,6 +2,7 @@
 
 #include "common/program.h"
 
+#include "common/complain.h"
 #include "common/error.h"
 #include "common/file_bytes.h"
 #include "common/image_file.h"
@@ -179,15 +180,6 @@ std::string cost(const Tally& tally, double seconds) {
         text += format("box tests a ray %.1f, triangle tests a ray %.1f\n", double(tally.box_tests) / rays,
                        double(tally.triangle_tests) / rays);
     return text;
-}
-
-/// A message keeps to its line, whatever was typed or named in a file.
-int complain(const std::string& program, std::string message) {
-    for (char& c : message)
-        if (c == '\n' || c == '\r' || c == '\t' || c == '\x1b') c = ' ';
-    std::cout << std::flush;
-    std::cerr << program + ": " + message + "\n" << std::flush;
-    return 2;
 }
 
 void warn_not_finite(const std::string& program, const Film& film) {

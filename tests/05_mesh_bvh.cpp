@@ -308,7 +308,7 @@ TEST_CASE("a ray enters a box where it first touches one of its faces") {
         const auto t = entry(box_3x3x2, ray);
         if (t.has_value() != (first < 1e30)) {
             FAIL_CHECK("from ", ray.origin, " along ", ray.direction,
-                       (t ? ": it misses" : ": it meets the box"),
+                       std::string(t ? ": it misses" : ": it meets the box"),
                        " (slabs without exchanging near and far lose every ray that flies backwards)");
         } else if (t && !(*t == approx(starts_inside ? 0 : float(first), 1e-4f))) {
             FAIL_CHECK("from ", ray.origin, " along ", ray.direction, ": expected entry at ", first, ", got ",

@@ -3,7 +3,7 @@
 
 #include "common/error.h"
 #include "tools/bench/agreement.h"
-#include "tools/bench/json.h"
+#include "common/json.h"
 #include "tools/bench/json_reader.h"
 #include "tools/bench/meshes.h"
 #include "tools/bench/rays.h"

@@ -1,5 +1,6 @@
 // Is this the same picture? compare A B: exit 0 if it is, 1 if it is not, 2 if one cannot be read.
 #include "common/compare/judge.h"
+#include "common/complain.h"
 #include "common/error.h"
 #include "common/file_bytes.h"
 #include "common/image_file.h"
@@ -64,13 +65,6 @@ void report(const Command& command, const rt::Judgement& judgement) {
     if (!std::cout.flush()) throw rt::Error("stdout takes no more text (is the disk full?)");
 }
 
-int complain(std::string message) {
-    for (char& c : message)
-        if (c == '\n' || c == '\r' || c == '\t' || c == '\x1b') c = ' ';
-    std::cerr << "compare: " << message << "\n";
-    return 2;
-}
-
 } // namespace
 
 int main(int argc, char** argv) {
@@ -87,6 +81,6 @@ int main(int argc, char** argv) {
     } catch (const CLI::CallForHelp& help) {
         return app.exit(help);
     } catch (const std::exception& problem) {
-        return complain(problem.what());
+        return rt::complain("compare", problem.what());
     }
 }

@@ -299,9 +299,8 @@ std::string best_of(const Case& c, const std::vector<Slip>& slips) {
 } // namespace
 
 std::string explanations_tried() {
-    return "flipped, rows and columns swapped, red and blue swapped, sRGB encoding missing or twice, gamma "
-           "2.2 or a "
-           "square root for it, one gain for all of it, half a pixel of shift";
+    return "flipped, rows and columns swapped, red and blue swapped, sRGB encoding missing or twice, "
+           "gamma 2.2 or a square root for it, one gain for all of it, half a pixel of shift";
 }
 
 std::string explain(const StoredImage& test, const StoredImage& reference, const Variances& variances) {

@@ -2,10 +2,10 @@
 #include "common/compare/judge.h"
 
 #include "common/error.h"
+#include "common/json.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <sstream>
 #include <string_view>
 
@@ -122,25 +122,10 @@ void decide(Judgement& judgement, const Difference& difference, const Question& 
 
 // ---- JSON
 
-std::string quoted(std::string_view text) {
-    std::string out = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') out += '\\';
-        out += c >= 0 && c < ' ' ? ' ' : c;
-    }
-    return out + "\"";
-}
-
-std::string number(double value) {
-    if (!std::isfinite(value)) return "null";
-    char text[32];
-    std::snprintf(text, sizeof text, "%.9g", value);
-    return text;
-}
-
-std::string array(const std::vector<std::string>& texts) {
+/// On one line.
+std::string texts(const std::vector<std::string>& all) {
     std::string out;
-    for (const std::string& text : texts) out += (out.empty() ? "" : ", ") + quoted(text);
+    for (const std::string& text : all) out += (out.empty() ? "" : ", ") + json_text(text);
     return "[" + out + "]";
 }
 
@@ -202,14 +187,15 @@ Judgement judge(const Question& q) {
 }
 
 std::string to_json(const Judgement& judgement) {
-    const std::string tiles = judgement.tiles ? std::to_string(judgement.tiles->alarms) : "null";
-    return "{\"verdict\": " + quoted(name_of(judgement.finding)) +
-           ", \"explanation\": " + quoted(judgement.explanation) +
-           ", \"flip\": {\"mean\": " + number(judgement.flip.mean) +
-           ", \"max\": " + number(judgement.flip.max) + "}, \"rmse\": " + number(judgement.rmse) +
-           ", \"tiles_over_4\": " + tiles + ", \"where\": " + quoted(judgement.where.words) +
-           ", \"nearest\": " + array(judgement.nearest.names) + ", \"words\": " + array(judgement.lines) +
-           "}";
+    const Flip& seen = judgement.flip;
+    return object({{"verdict", json_text(name_of(judgement.finding))},
+                   {"explanation", json_text(judgement.explanation)},
+                   {"flip", object({{"mean", number(seen.mean)}, {"max", number(seen.max)}})},
+                   {"rmse", number(judgement.rmse)},
+                   {"tiles_over_4", judgement.tiles ? number(std::int64_t(judgement.tiles->alarms)) : "null"},
+                   {"where", json_text(judgement.where.words)},
+                   {"nearest", texts(judgement.nearest.names)},
+                   {"words", texts(judgement.lines)}});
 }
 
 Image error_map(const Judgement& judgement) {

@@ -29,8 +29,8 @@ struct Limits {
     // Explanations.
     double named_gain = 0.01;  ///< how near, relatively, a gain must be to pi to be called pi
     double least_gain = 0.002; ///< relative; a smaller gain is no explanation
-    // Half a pixel shifted back leaves .09 to .19 of the difference in the scenes of 01 and 03 to 06, of a
-    // whole pixel .51, of the pictures of two different steps 1.
+    // Half a pixel shifted back leaves less of the difference than this, a whole pixel more: the checks in
+    // tests/common/compare_explain.cpp hold both.
     double shift_residue = 0.3;
     double shift_alarms = 0.2; ///< for noisy pictures: share of the alarms that may be left
 

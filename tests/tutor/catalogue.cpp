@@ -92,14 +92,6 @@ TEST_CASE("a change that applies nowhere, or in two places, is a fault") {
               .find("stands twice in 01_one/half.h, in lines 3 and 7") != std::string::npos);
 }
 
-TEST_CASE("a mistake is written where it takes the reference's place") {
-    const SmallProject small;
-    put(small.root / "steps/01_one/half.h", header);
-    write_overlay(parse_catalogue(good, "mistakes/01_one.md")[0], small.root, small.root / "overlay");
-    CHECK(text_of(small.root / "overlay/01_one/half.h").find("return y;") != std::string::npos);
-    CHECK(text_of(small.root / "steps/01_one/half.h") == header);
-}
-
 TEST_CASE("every mistake of the project applies to the reference") {
     int count = 0;
     for (const char* step : {"01_spheres", "02_shadows", "03_mirror", "04_refraction", "05_mesh_bvh",

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/random.h"
-#include "tools/bench/json.h"
+#include "common/json.h"
 #include "tools/bench/ours.h"
 
 #include <cmath>

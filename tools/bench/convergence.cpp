@@ -9,7 +9,7 @@
 #include "common/file_bytes.h"
 #include "common/render.h"
 #include "tools/bench/convergence.h"
-#include "tools/bench/json.h"
+#include "common/json.h"
 #include "tools/bench/svg.h"
 
 #include <CLI/CLI.hpp>

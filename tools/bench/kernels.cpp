@@ -5,6 +5,7 @@
 #include "05_mesh_bvh/triangle.h"
 #include "06_textures/texture.h"
 #include "08_indirect/bounce.h"
+#include "common/compare/flip.h"
 #include "tools/bench/meshes.h"
 #include "tools/bench/ours.h"
 
@@ -142,6 +143,15 @@ void tree_build(benchmark::State& state) {
     state.SetItemsProcessed(state.iterations() * std::int64_t(subject.mesh.triangles.size()));
 }
 
+/// Random colours.
+void flip_pictures(benchmark::State& state) {
+    Random random(3);
+    Image a(1024, 768), b(1024, 768);
+    for (Image* image : {&a, &b})
+        for (vec3& pixel : image->pixels) pixel = {random.uniform(), random.uniform(), random.uniform()};
+    for (auto _ : state) benchmark::DoNotOptimize(flip(a, b).mean);
+}
+
 BENCHMARK(box)->Name("ray and box");
 BENCHMARK(triangle)->Name("ray and triangle");
 BENCHMARK(sphere)->Name("ray and sphere");
@@ -154,6 +164,7 @@ BENCHMARK(texture)->Name("texture, bilinear");
 BENCHMARK(bounce)->Name("cosine direction");
 BENCHMARK(camera)->Name("camera ray");
 BENCHMARK(tree_build)->Name("tree of triangles")->Arg(10'000)->Arg(100'000)->Unit(benchmark::kMillisecond);
+BENCHMARK(flip_pictures)->Name("FLIP, 1024 x 768")->Unit(benchmark::kMillisecond);
 
 } // namespace
 

@@ -1,7 +1,7 @@
 // What each step's reference picture costs: seconds and rays a second with all threads, and where one
 // thread's time goes, which a program built from the same main.cpp tells (watched.h).
 #include "common/error.h"
-#include "tools/bench/json.h"
+#include "common/json.h"
 #include "tools/bench/statistics.h"
 
 #include <CLI/CLI.hpp>

@@ -1,7 +1,7 @@
 // bench_report FOLDER: turns the numbers of traversal.json, scaling.json, ... in a folder into report.md and
 // plots.
 #include "common/error.h"
-#include "tools/bench/json.h"
+#include "common/json.h"
 #include "tools/bench/json_reader.h"
 #include "tools/bench/statistics.h"
 #include "tools/bench/svg.h"

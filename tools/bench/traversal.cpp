@@ -2,7 +2,7 @@
 // the same rays, the same threads, round about. Also how long both builds take, and what they hold.
 #include "tools/bench/agreement.h"
 #include "tools/bench/embree.h"
-#include "tools/bench/json.h"
+#include "common/json.h"
 #include "tools/bench/memory.h"
 #include "tools/bench/meshes.h"
 #include "tools/bench/ours.h"

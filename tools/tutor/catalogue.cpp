@@ -188,10 +188,4 @@ std::vector<Mistake> read_catalogue(const fs::path& root, const std::string& ste
     return mistakes;
 }
 
-void write_overlay(const Mistake& mistake, const fs::path& root, const fs::path& overlay) {
-    const fs::path out = overlay / mistake.file;
-    fs::create_directories(out.parent_path());
-    write_file(out.string(), with_mistake(mistake, read_file((root / "steps" / mistake.file).string())));
-}
-
 } // namespace rt

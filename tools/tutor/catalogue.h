@@ -37,8 +37,4 @@ std::string with_mistake(const Mistake& mistake, const std::string& header);
 /// `root`/steps. Throws Error.
 std::vector<Mistake> read_catalogue(const std::filesystem::path& root, const std::string& step);
 
-/// Writes the changed header to `overlay`/NN_name/file.h, which is to stand first on the include path.
-void write_overlay(const Mistake& mistake, const std::filesystem::path& root,
-                   const std::filesystem::path& overlay);
-
 } // namespace rt

@@ -4,7 +4,7 @@
 #include "tools/tutor/commands.h"
 #include "tools/tutor/watch.h"
 
-#include "common/error.h"
+#include "common/complain.h"
 
 #include <CLI/CLI.hpp>
 
@@ -129,15 +129,6 @@ void add_undo(CLI::App& app, Words& words) {
     undo->add_option("FILE", words.name, "as in mirror.h; without it, all your files of the step");
 }
 
-/// One line, whatever was typed.
-int complain(std::string message) {
-    for (char& c : message)
-        if (c == '\n' || c == '\r' || c == '\t' || c == '\x1b') c = ' ';
-    std::cout << std::flush;
-    std::cerr << "learn: " + message + "\n" << std::flush;
-    return 2;
-}
-
 /// What would kill the program where a write fails becomes an error of that write.
 void make_writes_safe() {
 #if defined(SIGXFSZ) && defined(SIGPIPE)
@@ -170,10 +161,11 @@ int main(int argc, char** argv) {
         app.parse(argc, argv);
         return std::cout.flush()
                    ? words.code
-                   : complain("stdout takes no more text (is the disk full?); all else went well");
+                   : rt::complain("learn",
+                                  "stdout takes no more text (is the disk full?); all else went well");
     } catch (const CLI::CallForHelp& help) {
         return app.exit(help);
     } catch (const std::exception& problem) {
-        return complain(problem.what());
+        return rt::complain("learn", problem.what());
     }
 }

@@ -1,8 +1,9 @@
 // The proof that the checks check: every stub fails them, and every mistake of the catalogue fails them in a way that
 // names it. ./learn prove runs it.
+#include "common/complain.h"
 #include "common/error.h"
 #include "common/file_bytes.h"
-#include "common/image_file.h"
+#include "common/json.h"
 #include "tools/tutor/catalogue.h"
 #include "tools/tutor/exercises.h"
 #include "tools/tutor/proof.h"
@@ -258,21 +259,25 @@ Count judge(const Toolchain& tools, StepProof& proof, bool write) {
     return count;
 }
 
-std::string json_fields(const Count& count) {
-    std::ostringstream out;
-    out << "\"stubs\": " << count.stubs << ", \"stubs_failing\": " << count.stubs_failing
-        << ", \"mistakes\": " << count.mistakes << ", \"caught\": " << count.caught
-        << ", \"named_first\": " << count.named_first << ", \"named_in_group\": " << count.named_in_group
-        << ", \"pictures\": " << count.pictures << "}";
-    return out.str();
+Fields json_fields(const Count& count) {
+    const auto whole = [](int value) { return number(std::int64_t(value)); };
+    return {{"stubs", whole(count.stubs)},
+            {"stubs_failing", whole(count.stubs_failing)},
+            {"mistakes", whole(count.mistakes)},
+            {"caught", whole(count.caught)},
+            {"named_first", whole(count.named_first)},
+            {"named_in_group", whole(count.named_in_group)},
+            {"pictures", whole(count.pictures)}};
 }
 
 std::string json(const std::vector<Count>& counts, const Count& total) {
-    std::string out = "{\"steps\": [";
-    for (std::size_t i = 0; i < counts.size(); ++i)
-        out += (i > 0 ? ",\n  " : "\n  ") + std::string("{\"step\": \"") + counts[i].step + "\", " +
-               json_fields(counts[i]);
-    return out + "\n],\n\"total\": {" + json_fields(total) + "}\n";
+    std::vector<std::string> steps;
+    for (const Count& count : counts) {
+        Fields fields = json_fields(count);
+        fields.insert(fields.begin(), {"step", json_text(count.step)});
+        steps.push_back(object(fields));
+    }
+    return object({{"steps", array(steps)}, {"total", object(json_fields(total))}}) + "\n";
 }
 
 void print_row(const Count& count) {
@@ -388,7 +393,6 @@ int main(int argc, char** argv) {
     } catch (const CLI::ParseError& said) {
         return app.exit(said) == 0 ? 0 : 2;
     } catch (const std::exception& problem) {
-        std::cerr << "prove: " << problem.what() << "\n";
-        return 2;
+        return rt::complain("prove", problem.what());
     }
 }

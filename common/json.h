@@ -1,4 +1,4 @@
-// Just enough JSON to write a report.
+// Just enough JSON to write numbers and texts for other programs.
 #pragma once
 
 #include "common/file_bytes.h"
@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace rt::bench {
+namespace rt {
 
 inline std::string json_text(std::string_view text) {
     std::string out = "\"";
@@ -61,4 +61,4 @@ inline void check_text(const std::string& path) {
     if (!path.empty()) check_file_writable(path);
 }
 
-} // namespace rt::bench
+} // namespace rt
