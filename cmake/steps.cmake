@@ -1,4 +1,5 @@
-# add_step(01_spheres): the program of a step, its checks, its slow statistics and its reference picture.
+# add_step(01_spheres): the program of a step, its checks (an executable each of tests/01_spheres*.cpp; those called
+# ..._statistics are slow) and its reference picture.
 # add_checks(test_common common "labels" sources...): a doctest executable, one ctest a test case, named "common: ...".
 # A check that cannot be made on a machine prints "[skipped]" and why.
 
@@ -105,16 +106,17 @@ function(add_step name)
     add_dependencies(programs ${name})
     add_custom_target(checks_${name} DEPENDS ${name})
 
-    foreach(kind "" _statistics)
-        file(GLOB source CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${name}*${kind}.cpp)
-        if(NOT kind)
-            list(FILTER source EXCLUDE REGEX "_statistics")
+    # An executable a file, so that a learner waits for the checks of what was saved alone.
+    file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${name}*.cpp)
+    foreach(source IN LISTS sources)
+        get_filename_component(stem ${source} NAME_WE)
+        set(labels ${number} ${name})
+        if(stem MATCHES "_statistics$")
+            list(APPEND labels statistics)
         endif()
-        string(REPLACE "_" ";" kind_label "${kind}")
-        set(labels ${number} ${name} ${kind_label})
-        add_checks(test_${name}${kind} ${name} "${labels}" ${source})
-        if(TARGET test_${name}${kind})
-            add_dependencies(checks_${name} test_${name}${kind})
+        add_checks(test_${stem} ${name} "${labels}" ${source})
+        if(TARGET test_${stem})
+            add_dependencies(checks_${name} test_${stem})
         endif()
     endforeach()
 
