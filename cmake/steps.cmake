@@ -47,6 +47,16 @@ function(use_steps target)
     endif()
 endfunction()
 
+# A target with which others share a header that is parsed ahead: parse_ahead(test_prefix tests/prefix.h). They must be
+# compiled with the same options.
+function(parse_ahead target header)
+    set(source ${PROJECT_BINARY_DIR}/${target}.cpp)
+    file(CONFIGURE OUTPUT ${source} CONTENT "// Only ${header} is wanted, parsed ahead.\n")
+    add_library(${target} OBJECT ${source})
+    target_link_libraries(${target} PRIVATE common rt::native ${ARGN})
+    target_precompile_headers(${target} PRIVATE ${PROJECT_SOURCE_DIR}/${header})
+endfunction()
+
 # A learner waits for the compiler, not for the checks.
 set(quickly_compiled $<$<CONFIG:Release>:-O1>)
 
@@ -58,12 +68,8 @@ function(add_checks target prefix labels)
     if(NOT TARGET test_main) # doctest's own code is compiled once
         add_library(test_main OBJECT ${PROJECT_SOURCE_DIR}/tests/main.cpp)
         target_link_libraries(test_main PRIVATE rt::settings rt::native rt::doctest)
-        file(WRITE ${PROJECT_BINARY_DIR}/prefix.cpp "// Only tests/prefix.h is wanted, parsed ahead.\n")
-        add_library(test_prefix OBJECT ${PROJECT_BINARY_DIR}/prefix.cpp)
+        parse_ahead(test_prefix tests/prefix.h rt::doctest)
         target_compile_options(test_prefix PRIVATE ${quickly_compiled})
-        target_link_libraries(test_prefix PRIVATE common rt::native rt::doctest)
-        use_steps(test_prefix)
-        target_precompile_headers(test_prefix PRIVATE ${PROJECT_SOURCE_DIR}/tests/prefix.h)
     endif()
     add_executable(${target} ${sources} $<TARGET_OBJECTS:test_main>)
     target_link_libraries(${target} PRIVATE common rt::native rt::doctest)
@@ -97,8 +103,12 @@ function(add_step name)
     endif()
     string(SUBSTRING ${name} 0 2 number)
 
+    if(NOT TARGET step_prefix)
+        parse_ahead(step_prefix common/prefix.h rt::inlining)
+    endif()
     add_executable(${name} ${source})
     target_link_libraries(${name} PRIVATE common rt::native rt::inlining)
+    target_precompile_headers(${name} REUSE_FROM step_prefix)
     use_steps(${name})
     if(TARGET built_assets)
         add_dependencies(${name} built_assets)

@@ -5,15 +5,18 @@
 #include "common/error.h"
 #include "common/file_bytes.h"
 #include "tools/tutor/catalogue.h"
+#include "tools/tutor/check_files.h"
 #include "tools/tutor/check_picture.h"
 #include "tools/tutor/check_run.h"
 #include "tools/tutor/compile.h"
 #include "tools/tutor/diagnosis.h"
+#include "tools/tutor/gallery.h"
 #include "tools/tutor/hints.h"
 #include "tools/tutor/report.h"
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <optional>
 #include <sstream>
 
@@ -23,18 +26,33 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// What came of one file of checks.
+struct CheckedFile {
+    std::string name; ///< "03_mirror_quad"
+    std::vector<CheckResult> results;
+};
+
 /// All that one run finds out.
 struct Findings {
+    std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
     std::vector<Exercise> exercises;
     std::vector<std::string> untouched; ///< exercises that still are as the stub has them
-    std::vector<CheckResult> checks;
-    std::vector<std::string> earlier; ///< a line a step
+    std::vector<CheckedFile> files;     ///< in the order in which they are to be told
+    std::vector<CheckResult> checks;    ///< of all of them
+    std::vector<std::string> earlier;   ///< a line a step
     bool earlier_hold = true;
     PictureFinding picture;
     Diagnosis diagnosis;
     std::optional<Mistake> mistake; ///< the likely one
+    std::vector<std::string> alike; ///< mistakes that make the same picture
     std::string next;
 };
+
+/// Since the check began, in seconds with one decimal.
+double seconds_since(const Findings& findings) {
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - findings.begin;
+    return int(took.count() * 10) / 10.0;
+}
 
 std::size_t failures(const std::vector<CheckResult>& checks) {
     return std::size_t(std::ranges::count_if(checks, has_failed));
@@ -97,9 +115,10 @@ void say_compile_error(const Project& project, const std::string& step, const Bu
     findings.next = "./learn hint " + number_of(step) + " " + exercise->name;
 }
 
-/// The checks of a step before. Once all of them hold, nothing but another program changes that: `kept` is what they
-/// said then.
-std::vector<CheckResult> checks_before(const fs::path& program, const fs::path& kept) {
+/// One file of checks. Once all of them hold, nothing but another program changes that: what they said then is kept.
+std::vector<CheckResult> run_file(const CheckWish& wish, const std::string& file) {
+    const fs::path program = wish.build / "bin" / ("test_" + file),
+                   kept = wish.build / ("said_" + file + ".txt");
     std::error_code ignored;
     if (fs::last_write_time(kept, ignored) > fs::last_write_time(program, ignored))
         return parse_results(read_file(kept.string()));
@@ -108,22 +127,51 @@ std::vector<CheckResult> checks_before(const fs::path& program, const fs::path& 
     return checks;
 }
 
-/// The checks of the steps before; what the learner wrote there counts here as well.
+/// Those that a learner waits for.
+std::vector<std::string> quick_files(const Project& project, const std::string& step) {
+    std::vector<std::string> files = check_files(project.root, step);
+    std::erase_if(files, is_slow);
+    return files;
+}
+
+/// The steps before; what the learner wrote there counts here as well.
 void run_earlier(const Project& project, const CheckWish& wish, Findings& findings) {
     for (const std::string& step : all_steps(project)) {
         if (step >= wish.step) break;
-        const auto checks =
-            checks_before(wish.build / "bin" / ("test_" + step), wish.build / ("said_" + step + ".txt"));
+        std::vector<CheckResult> checks;
+        for (const std::string& file : quick_files(project, step))
+            std::ranges::move(run_file(wish, file), std::back_inserter(checks));
         findings.earlier.push_back(step + ": " + held(checks));
         findings.earlier_hold = findings.earlier_hold && failures(checks) == 0;
     }
 }
 
-void find_mistake(const Project& project, const std::string& step, Findings& findings) {
-    findings.diagnosis = diagnose(read_signatures(project.root, step), findings.checks);
-    if (findings.diagnosis.ids.empty()) return;
-    for (const Mistake& mistake : read_catalogue(project.root, step))
-        if (mistake.id == findings.diagnosis.ids.front()) findings.mistake = mistake;
+/// Whether the checks are those of a header in which the learner has written nothing yet.
+bool is_of_untouched(const std::string& step, const std::string& file, const Findings& findings) {
+    bool of_some = false;
+    for (const Exercise& exercise : findings.exercises) {
+        if (check_file_of(step, exercise.file) != file) continue;
+        of_some = true;
+        if (std::ranges::find(findings.untouched, exercise.name) == findings.untouched.end()) return false;
+    }
+    return of_some;
+}
+
+/// By what the checks say. A picture that is wrong is compared with those of the known mistakes, too.
+void find_mistake(const Project& project, const CheckWish& wish, Findings& findings) {
+    std::vector<std::vector<CheckResult>> written;
+    for (const CheckedFile& file : findings.files)
+        if (!is_of_untouched(wish.step, file.name, findings)) written.push_back(file.results);
+    findings.diagnosis = diagnose(read_signatures(project.root, wish.step), written);
+    const bool begun = findings.untouched.size() < findings.exercises.size();
+    if (begun && findings.picture.judgement && !findings.picture.holds)
+        findings.alike = alike(project.root, wish.step, wish.build);
+    for (const Mistake& mistake : read_catalogue(project.root, wish.step)) {
+        if (!findings.diagnosis.ids.empty() && mistake.id == findings.diagnosis.ids.front())
+            findings.mistake = mistake;
+        if (std::ranges::find(findings.alike, mistake.id) != findings.alike.end())
+            findings.picture.lines.push_back("looks like the known mistake: " + mistake.title);
+    }
 }
 
 bool all_hold(const Findings& findings) {
@@ -212,6 +260,7 @@ fs::path write_report(const Project& project, const CheckWish& wish, const Findi
         report.mistake_shows = findings.mistake->shows;
         report.mistake_why = findings.mistake->why;
         report.mistake_fix = findings.mistake->fix;
+        report.mistake_picture = gallery_picture(project.root, wish.step, findings.mistake->id);
     }
     report.next = findings.next;
     const fs::path folder = project.workshop / "report";
@@ -221,31 +270,69 @@ fs::path write_report(const Project& project, const CheckWish& wish, const Findi
     return path;
 }
 
-/// The step's checks, those of the steps before, and the program: what changed of them.
-Built build_all(const Project& project, const CheckWish& wish, std::ostream& out) {
-    std::vector<std::string> targets{"test_" + wish.step};
+/// Of the learner's headers that have checks of their own, the one that was saved last; else the first of the step's.
+std::string saved_last(const Project& project, const std::string& step) {
+    std::string last;
+    fs::file_time_type when = fs::file_time_type::min();
+    for (const Exercise& exercise : exercises_of(project, step)) {
+        std::error_code missing;
+        const fs::path own = project.workshop / step / exercise.file;
+        const fs::file_time_type saved = fs::last_write_time(own, missing);
+        const bool has_checks =
+            fs::exists(project.root / "tests" / (check_file_of(step, exercise.file) + ".cpp"));
+        if (!has_checks || (!missing && saved < when) || (missing && !last.empty())) continue;
+        last = exercise.file;
+        if (!missing) when = saved;
+    }
+    return last;
+}
+
+/// What somebody waits for, as soon as it is there: the checks of the file that was saved, then the picture.
+Built answer_quickly(const Project& project, const CheckWish& wish, Findings& findings, std::ostream& out) {
+    const std::string file = saved_last(project, wish.step), checks = check_file_of(wish.step, file);
+    std::vector<std::string> targets{"test_" + checks};
     if (wish.picture) targets.push_back(wish.step);
+    const Built built = build_targets(wish.build, targets, wish.build / "said.txt", "/workshop/", [&] {
+        const std::vector<CheckResult> results = run_file(wish, checks);
+        out << "first     " << file << ": " << held(results) << " hold (" << seconds_since(findings)
+            << " s)\n"
+            << std::flush;
+    });
+    if (!built.well || !wish.picture) return built;
+    findings.picture = judge_picture(project.root, wish.step, wish.build, Samples::few);
+    out << (findings.picture.complete ? "picture   " : "glimpse   ") << findings.picture.lines.front() << " ("
+        << seconds_since(findings) << " s)\n"
+        << std::flush;
+    return built;
+}
+
+/// The step's other checks, and those of the steps before: what changed of them.
+Built build_others(const Project& project, const CheckWish& wish, Findings& findings, std::ostream& out) {
+    std::vector<std::string> targets;
     for (const std::string& step : all_steps(project))
-        if (step < wish.step) targets.push_back("test_" + step);
-    out << "building  " << std::flush;
-    const auto begin = std::chrono::steady_clock::now();
+        if (step <= wish.step)
+            for (const std::string& file : quick_files(project, step)) targets.push_back("test_" + file);
     const Built built = build_targets(wish.build, targets, wish.build / "said.txt", "/workshop/");
-    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-    out << int(took.count() * 10) / 10.0 << " s\n" << std::flush;
+    out << "built     the other checks (" << seconds_since(findings) << " s)\n" << std::flush;
     return built;
 }
 
 /// Runs the checks, renders, compares; says what holds, what is likely wrong and what is next.
 void find_out(const Project& project, const CheckWish& wish, Findings& findings, std::ostream& out) {
-    findings.checks = run_all_checks(wish.build / "bin" / ("test_" + wish.step), wish.build / "said.txt");
+    for (const std::string& file : quick_files(project, wish.step)) {
+        findings.files.push_back({file, run_file(wish, file)});
+        std::ranges::copy(findings.files.back().results, std::back_inserter(findings.checks));
+    }
     say_checks(project, wish.step, findings, out);
     out << std::flush;
     run_earlier(project, wish, findings);
     for (const std::string& line : findings.earlier) out << "earlier   " << line << "\n";
-    findings.picture = wish.picture ? judge_picture(project.root, wish.step, wish.build)
-                                    : no_picture("only the checks were asked for");
+    if (!wish.picture)
+        findings.picture = no_picture("only the checks were asked for");
+    else if (!findings.picture.complete)
+        findings.picture = judge_picture(project.root, wish.step, wish.build, Samples::all);
+    find_mistake(project, wish, findings);
     for (const std::string& line : findings.picture.lines) out << "picture   " << line << "\n";
-    find_mistake(project, wish.step, findings);
     say_mistake(project, wish.step, findings, out);
     findings.next = next_thing(project, wish.step, findings);
 }
@@ -257,7 +344,8 @@ int check_step(const Project& project, const CheckWish& wish, std::ostream& out)
     findings.exercises = exercises_of(project, wish.step);
     findings.untouched = untouched_exercises(project, wish.step, findings.exercises);
     out << "Step " << number_of(wish.step) << ": " << question_of(project, wish.step) << "\n";
-    const Built built = build_all(project, wish, out);
+    Built built = answer_quickly(project, wish, findings, out);
+    if (built.well) built = build_others(project, wish, findings, out);
     if (built.well)
         find_out(project, wish, findings, out);
     else

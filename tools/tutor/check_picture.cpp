@@ -4,6 +4,7 @@
 #include "common/error.h"
 #include "common/file_bytes.h"
 #include "common/image_file.h"
+#include "tools/tutor/gallery.h"
 #include "tools/tutor/process.h"
 
 #include <algorithm>
@@ -16,20 +17,22 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int seconds_for_a_picture = 60;
-
-/// What assets/reference/NN_name.txt says after `key: `.
-std::string fact(const std::string& facts, const std::string& key) {
-    std::istringstream lines(facts);
-    for (std::string line; std::getline(lines, line);)
-        if (line.starts_with(key + ": ")) return line.substr(key.size() + 2);
-    return "";
-}
+const std::string few_samples = "2"; // fewer have no variance
 
 std::vector<std::string> split(const std::string& words) {
     std::istringstream stream(words);
     std::vector<std::string> all;
     for (std::string word; stream >> word;) all.push_back(word);
     return all;
+}
+
+/// The flags with another number of samples, unless that is empty.
+std::vector<std::string> with_samples(std::vector<std::string> flags, const std::string& samples) {
+    if (samples.empty()) return flags;
+    const auto old = std::ranges::find(flags, "--samples");
+    if (old != flags.end()) flags.erase(old, old + 2);
+    flags.insert(flags.end(), {"--samples", samples});
+    return flags;
 }
 
 PictureFinding failed(std::string reason) {
@@ -59,16 +62,19 @@ PictureFinding no_picture(const std::string& reason) {
     return finding;
 }
 
-PictureFinding judge_picture(const fs::path& root, const std::string& step, const fs::path& build) {
+PictureFinding judge_picture(const fs::path& root, const std::string& step, const fs::path& build,
+                             Samples samples) {
     const fs::path references = root / "assets" / "reference", out = build / "checked";
-    const std::string facts = read_file((references / (step + ".txt")).string());
     const fs::path variance = references / (step + ".variance.hdr");
     fs::create_directories(out);
     std::vector<std::string> command{(build / "bin" / step).string(), "--quiet", "--out",
                                      (out / step).string()};
     if (fs::exists(variance))
         command.insert(command.end(), {"--variance", (out / (step + ".variance.hdr")).string()});
-    for (const std::string& word : split(fact(facts, "test flags"))) command.push_back(word);
+    const bool glimpse = samples == Samples::few && fs::exists(variance);
+    for (const std::string& word :
+         with_samples(split(reference_fact(root, step, "test flags")), glimpse ? few_samples : ""))
+        command.push_back(word);
     const fs::path said = build / "said.txt";
     const Ended ended = run_process(command, said, {.seconds = seconds_for_a_picture});
     if (ended.too_long)
@@ -85,6 +91,7 @@ PictureFinding judge_picture(const fs::path& root, const std::string& step, cons
                               read_image(variance.string())};
     PictureFinding finding;
     finding.judgement = judge(question);
+    finding.complete = !glimpse;
     finding.verdict = name_of(finding.judgement->finding);
     finding.holds = is_same(finding.judgement->finding);
     finding.lines = in_short(*finding.judgement);
@@ -93,9 +100,18 @@ PictureFinding judge_picture(const fs::path& root, const std::string& step, cons
     finding.map = out / (step + ".map.png");
     write_image(finding.map.string(), error_map(*finding.judgement));
     finding.settings =
-        fact(facts, "width") + " x " + fact(facts, "height") + ", " +
-        (fact(facts, "test flags").empty() ? "the program's own settings" : fact(facts, "test flags"));
+        reference_fact(root, step, "width") + " x " + reference_fact(root, step, "height") + ", " +
+        (reference_fact(root, step, "test flags").empty() ? "the program's own settings"
+                                                          : reference_fact(root, step, "test flags"));
     return finding;
+}
+
+std::vector<std::string> alike(const fs::path& root, const std::string& step, const fs::path& build) {
+    const fs::path picture = build / "checked" / (step + ".small.png");
+    std::vector<std::string> command{(build / "bin" / step).string(), "--quiet", "--out", picture.string()};
+    for (const std::string& word : gallery_flags(root, step)) command.push_back(word);
+    const Ended ended = run_process(command, build / "said.txt", {.seconds = seconds_for_a_picture});
+    return ended.code == 0 ? nearest_mistake(root, step, picture).names : std::vector<std::string>();
 }
 
 void fill(Report& report, const PictureFinding& finding) {

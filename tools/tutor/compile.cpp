@@ -4,9 +4,14 @@
 #include "common/file_bytes.h"
 #include "tools/tutor/process.h"
 
+#include <chrono>
+#include <fstream>
+#include <future>
 #include <sstream>
 
 namespace rt {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -35,6 +40,14 @@ std::optional<CompileError> error_in(const std::string& line) {
     return std::nullopt;
 }
 
+/// The build tool names what it has made, line by line.
+bool is_linked(const fs::path& said, const std::string& target) {
+    std::ifstream lines(said);
+    for (std::string line; std::getline(lines, line);)
+        if (line.ends_with("bin/" + target)) return true;
+    return false;
+}
+
 } // namespace
 
 std::optional<CompileError> first_error(const std::string& log, const std::string& preferred) {
@@ -48,13 +61,20 @@ std::optional<CompileError> first_error(const std::string& log, const std::strin
     return first;
 }
 
-Built build_targets(const std::filesystem::path& build, const std::vector<std::string>& targets,
-                    const std::filesystem::path& said, const std::string& preferred) {
+Built build_targets(const fs::path& build, const std::vector<std::string>& targets, const fs::path& said,
+                    const std::string& preferred, const std::function<void()>& first_is_there) {
     std::vector<std::string> command{"/usr/bin/env", "cmake", "--build", build.string(), "--target"};
     command.insert(command.end(), targets.begin(), targets.end());
-    const Ended ended = run_process(command, said);
-    Built built{ended.code == 0, std::nullopt, read_file(said.string())};
+    auto ended = std::async(std::launch::async, [&] { return run_process(command, said); });
+    bool told = !first_is_there;
+    while (ended.wait_for(std::chrono::milliseconds(20)) != std::future_status::ready) {
+        if (told || !is_linked(said, targets[0])) continue;
+        told = true;
+        first_is_there();
+    }
+    Built built{ended.get().code == 0, std::nullopt, read_file(said.string())};
     if (!built.well) built.error = first_error(built.log, preferred);
+    if (built.well && !told) first_is_there();
     return built;
 }
 

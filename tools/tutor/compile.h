@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,8 +25,10 @@ struct Built {
     std::string log;
 };
 
-/// Builds the targets in the folder of a configured build.
+/// Builds the targets in the folder of a configured build. Calls `first_is_there`, on this thread, as soon as the program
+/// bin/`targets[0]` is made anew, or at the end if there was nothing to make; not if anything failed before.
 Built build_targets(const std::filesystem::path& build, const std::vector<std::string>& targets,
-                    const std::filesystem::path& said, const std::string& preferred);
+                    const std::filesystem::path& said, const std::string& preferred,
+                    const std::function<void()>& first_is_there = {});
 
 } // namespace rt

@@ -71,14 +71,6 @@ void read_event(const std::vector<std::string>& parts, std::vector<CheckResult>&
     result.seconds = std::atof(part(3).c_str());
 }
 
-/// The file that the check stands in, if one of its assertions failed.
-std::string file_of(const CheckResult& result) {
-    for (const Failure& failure : result.failures)
-        if (const std::size_t colon = failure.place.rfind(':'); colon != std::string::npos && colon > 0)
-            return std::filesystem::path(failure.place.substr(0, colon)).filename().string();
-    return "";
-}
-
 /// The end of the number that begins at `begin`, or `begin` if none does.
 std::size_t end_of_number(std::string_view text, std::size_t begin) {
     if (begin > 0 && is_word(text[begin - 1])) return begin;
@@ -134,12 +126,8 @@ Signature signature_of(const std::string& id, const std::vector<CheckResult>& re
         else
             ++same->times;
     };
-    std::string file;
     for (const CheckResult& result : results) {
         if (!has_failed(result)) continue;
-        const std::string own = file_of(result);
-        if (!file.empty() && !own.empty() && own != file) break;
-        file = own.empty() ? file : own;
         for (const Failure& failure : result.failures) add(result.name, failure.expression, failure.values);
         if (result.state == CheckState::unfinished) add(result.name, not_ended, "");
     }
@@ -206,20 +194,25 @@ std::vector<Match> ranked(const std::vector<Signature>& known, const Signature& 
     return matches;
 }
 
-Diagnosis diagnose(const std::vector<Signature>& known, const std::vector<CheckResult>& results) {
+Diagnosis diagnose(const std::vector<Signature>& known, const std::vector<std::vector<CheckResult>>& files) {
     Diagnosis diagnosis;
-    const auto first = std::ranges::find_if(results, has_failed);
-    if (first == results.end()) return diagnosis;
-    diagnosis.first = *first;
-    const std::vector<Match> matches = ranked(known, signature_of("", results));
-    const double best = matches.empty() ? 0 : matches[0].score;
+    double best = 0;
+    for (const std::vector<CheckResult>& results : files) {
+        const auto failed = std::ranges::find_if(results, has_failed);
+        if (failed == results.end()) continue;
+        if (diagnosis.first.name.empty()) diagnosis.first = *failed;
+        const std::vector<Match> matches = ranked(known, signature_of("", results));
+        if (matches.empty() || matches[0].score <= best + 1e-9) continue;
+        best = matches[0].score;
+        diagnosis.ids.clear();
+        for (const Match& match : matches)
+            if (match.score > best - 1e-9) diagnosis.ids.push_back(match.id);
+    }
     diagnosis.confidence = best > 0.95   ? Confidence::certain
                            : best > 0.65 ? Confidence::likely
                            : best > 0.45 ? Confidence::perhaps
                                          : Confidence::none;
-    if (diagnosis.confidence == Confidence::none) return diagnosis;
-    for (const Match& match : matches)
-        if (match.score > best - 1e-9) diagnosis.ids.push_back(match.id);
+    if (diagnosis.confidence == Confidence::none) diagnosis.ids.clear();
     return diagnosis;
 }
 

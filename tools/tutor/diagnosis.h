@@ -52,7 +52,7 @@ struct Signature {
 /// Numbers with four significant digits, at most 100 characters.
 std::string rounded(std::string_view values);
 
-/// Of the first file of checks in which something fails: what later files say adds nothing to it.
+/// Of one file of checks.
 Signature signature_of(const std::string& id, const std::vector<CheckResult>& results);
 
 /// The text of a .signatures file, and back. The second throws Error, which names `path` and the line.
@@ -80,7 +80,9 @@ struct Diagnosis {
     CheckResult first;            ///< the first check that failed: later ones may only follow from it
 };
 
-Diagnosis diagnose(const std::vector<Signature>& known, const std::vector<CheckResult>& results);
+/// Of what came of each file of checks, in their order. One that fits a known mistake counts, whatever else fails:
+/// other functions may still be empty.
+Diagnosis diagnose(const std::vector<Signature>& known, const std::vector<std::vector<CheckResult>>& files);
 
 /// "certainly", "most likely", "perhaps", "none that we know".
 std::string words(Confidence confidence);

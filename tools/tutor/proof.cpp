@@ -3,8 +3,10 @@
 
 #include "common/error.h"
 #include "common/file_bytes.h"
+#include "tools/tutor/check_files.h"
 #include "tools/tutor/compile.h"
 #include "tools/tutor/exercises.h"
+#include "tools/tutor/gallery.h"
 #include "tools/tutor/hash.h"
 #include "tools/tutor/process.h"
 
@@ -23,6 +25,8 @@ namespace {
 std::string optimisation(const std::string& step) {
     return step < "05" || step.starts_with("06") ? "-O0" : "-O1";
 }
+
+const std::string picture_level = "-O1";
 
 constexpr RunLimits check_limits{.cpu_seconds = 30, .seconds = 300, .memory = std::uint64_t(4) << 30};
 
@@ -62,16 +66,15 @@ std::string object_key(const Toolchain& tools, const Change& change, const std::
     return hash.text();
 }
 
-/// "tests/03_mirror.cpp" and others of the step, in the order in which doctest runs them; the slow statistics last.
-std::vector<std::string> check_sources(const Toolchain& tools, const std::string& step) {
+/// "tests/03_mirror_mirror.cpp" and the others of the step; those of the changed headers come first.
+std::vector<std::string> check_sources(const Toolchain& tools, const Change& change) {
     std::vector<std::string> sources;
-    for (const auto& entry : fs::directory_iterator(tools.root / "tests")) {
-        const std::string name = entry.path().filename().string();
-        if (name.starts_with(step) && name.ends_with(".cpp")) sources.push_back("tests/" + name);
-    }
-    std::ranges::sort(sources);
-    std::stable_partition(sources.begin(), sources.end(), [](const std::string& name) {
-        return name.find("_statistics") == std::string::npos;
+    for (const std::string& file : check_files(tools.root, change.step))
+        sources.push_back("tests/" + file + ".cpp");
+    std::stable_partition(sources.begin(), sources.end(), [&](const std::string& source) {
+        return std::ranges::any_of(change.headers, [&](const auto& header) {
+            return fs::path(source).stem() == check_file_of(change.step, header.first);
+        });
     });
     return sources;
 }
@@ -155,6 +158,28 @@ Outcome run_source(const Toolchain& tools, const Change& change, const std::stri
     return outcome_from(lines);
 }
 
+/// What the checks include, compiled once.
+void parse_ahead(const Toolchain& tools, const std::string& level) {
+    const fs::path folder = tools.work / level;
+    const fs::path prefix = folder / "prefix.h", made = folder / "prefix.h.gch",
+                   stamp = folder / "prefix.key";
+    Hash hash;
+    std::set<std::string> seen;
+    hash.add(tools.fixed);
+    add_with_includes(tools, {}, "tests/prefix.h", seen, hash);
+    if (fs::exists(made) && fs::exists(stamp) && read_file(stamp.string()) == hash.text()) return;
+    fs::create_directories(folder);
+    write_file(prefix.string(), read_file((tools.root / "tests/prefix.h").string()));
+    auto command = compile_command(tools, tools.work);
+    for (const std::string& word : {level, std::string("-x"), std::string("c++-header"), prefix.string(),
+                                    std::string("-o"), made.string()})
+        command.push_back(word);
+    const fs::path log = folder / "prefix.log";
+    if (run_process(command, log).code != 0)
+        throw Error("the checks' headers do not compile: " + complaint_in(log));
+    write_file(stamp.string(), hash.text());
+}
+
 } // namespace
 
 Toolchain read_toolchain(const fs::path& root, const fs::path& build) {
@@ -190,36 +215,20 @@ Toolchain read_toolchain(const fs::path& root, const fs::path& build) {
 std::string proof_key(const Toolchain& tools, const std::string& step) {
     Hash hash;
     std::set<std::string> seen;
-    for (const std::string& source : check_sources(tools, step))
+    for (const std::string& source : check_sources(tools, Change{.step = step}))
         add_with_includes(tools, {}, source, seen, hash);
     hash.add(read_file((tools.root / "mistakes" / (step + ".md")).string()));
     return hash.text();
 }
 
-void prepare(const Toolchain& tools, const std::string& step) {
-    const fs::path folder = tools.work / optimisation(step);
-    const fs::path prefix = folder / "prefix.h", made = folder / "prefix.h.gch",
-                   stamp = folder / "prefix.key";
-    Hash hash;
-    std::set<std::string> seen;
-    hash.add(tools.fixed);
-    add_with_includes(tools, {}, "tests/prefix.h", seen, hash);
-    if (fs::exists(made) && fs::exists(stamp) && read_file(stamp.string()) == hash.text()) return;
-    fs::create_directories(folder);
-    write_file(prefix.string(), read_file((tools.root / "tests/prefix.h").string()));
-    auto command = compile_command(tools, tools.work);
-    for (const std::string& word : {optimisation(step), std::string("-x"), std::string("c++-header"),
-                                    prefix.string(), std::string("-o"), made.string()})
-        command.push_back(word);
-    const fs::path log = folder / "prefix.log";
-    if (run_process(command, log).code != 0)
-        throw Error("the checks' headers do not compile: " + complaint_in(log));
-    write_file(stamp.string(), hash.text());
+void prepare(const Toolchain& tools, const std::string& step, bool pictures) {
+    parse_ahead(tools, optimisation(step));
+    if (pictures) parse_ahead(tools, picture_level);
 }
 
 Outcome run_checks(const Toolchain& tools, const Change& change) {
     Outcome outcome;
-    for (const std::string& source : check_sources(tools, change.step)) {
+    for (const std::string& source : check_sources(tools, change)) {
         Outcome of_source = run_source(tools, change, source);
         const bool fails = std::ranges::any_of(of_source.results, has_failed);
         if (!of_source.compiled || of_source.too_long || fails) return of_source;
@@ -237,16 +246,18 @@ bool render_picture(const Toolchain& tools, const Change& change, const fs::path
     write_overlay(scratch.path, change);
     const fs::path program = scratch.path / "program", log = scratch.path / "log";
     auto command = compile_command(tools, scratch.path);
-    for (const std::string& word : {std::string("-O2"), (tools.root / source).string(), tools.library,
-                                    std::string("-pthread"), std::string("-o"), program.string()})
+    for (const std::string& word :
+         {picture_level, std::string("-include"), (tools.work / picture_level / "prefix.h").string(),
+          (tools.root / source).string(), tools.library, std::string("-pthread"), std::string("-o"),
+          program.string()})
         command.push_back(word);
     if (run_process(command, log).code != 0)
         throw Error(change.step + " does not compile: " + complaint_in(log));
     fs::create_directories(picture.parent_path());
     fs::remove(picture);
-    run_process({program.string(), "--quiet", "--threads", "1", "--width", "240", "--height", "150",
-                 "--samples", "16", "--out", picture.string()},
-                log, check_limits);
+    std::vector<std::string> render{program.string(), "--quiet", "--threads", "1", "--out", picture.string()};
+    std::ranges::copy(gallery_flags(tools.root, change.step), std::back_inserter(render));
+    run_process(render, log, check_limits);
     write_file(stamp.string(), key);
     return fs::exists(picture);
 }

@@ -41,11 +41,11 @@ struct Outcome {
 /// Of all that the proof of a step depends on: its checks, whatever they include, and its mistakes.
 std::string proof_key(const Toolchain& tools, const std::string& step);
 
-/// Compiles what the checks of the step include, once. Throws Error.
-void prepare(const Toolchain& tools, const std::string& step);
+/// Compiles what the checks of the step include, and its program for pictures, once. Throws Error.
+void prepare(const Toolchain& tools, const std::string& step, bool pictures);
 
-/// The outcome of the step's checks, file by file up to the first in which something fails; slow statistics come last.
-/// Throws Error if the tools do not work.
+/// The outcome of the first file of the step's checks in which something fails, or of all of them; the files of the
+/// changed headers come first, slow statistics last. Throws Error if the tools do not work.
 Outcome run_checks(const Toolchain& tools, const Change& change);
 
 /// Compiles the step's program with the change and renders a small picture with it. False if there is none in the end.

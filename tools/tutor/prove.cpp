@@ -6,6 +6,7 @@
 #include "common/json.h"
 #include "tools/tutor/catalogue.h"
 #include "tools/tutor/exercises.h"
+#include "tools/tutor/gallery.h"
 #include "tools/tutor/proof.h"
 
 #include <CLI/CLI.hpp>
@@ -233,6 +234,18 @@ void judge_mistake(const Trial& trial, const std::vector<Signature>& known, Coun
     }
 }
 
+/// The pictures that the catalogue shows: of each mistake that changes the picture, and the right one.
+void write_gallery(const Toolchain& tools, const StepProof& proof) {
+    const fs::path right = gallery_picture(tools.root, proof.step, "right");
+    fs::remove_all(right.parent_path());
+    fs::create_directories(right.parent_path());
+    fs::copy_file(picture_path(tools, proof.trials[0].change), right);
+    for (const Trial& trial : proof.trials)
+        if (trial.mistake != nullptr && trial.picture && trial.differs)
+            fs::copy_file(picture_path(tools, trial.change),
+                          gallery_picture(tools.root, proof.step, trial.change.id));
+}
+
 std::vector<Signature> signatures_of(const StepProof& proof) {
     std::vector<Signature> signatures;
     for (const Trial& trial : proof.trials)
@@ -256,6 +269,7 @@ Count judge(const Toolchain& tools, StepProof& proof, bool write) {
         else
             judge_mistake(trial, known, count, proof);
     }
+    if (write && proof.trials[0].picture) write_gallery(tools, proof);
     return count;
 }
 
@@ -327,7 +341,7 @@ std::vector<StepProof> plan_all(const Toolchain& tools, const Wishes& wishes) {
     std::map<std::string, std::string> noted = noted_keys(tools);
     for (const std::string& step : step_names(tools.root, wishes.step)) {
         if (wishes.changed && noted[step] == proof_key(tools, step)) continue;
-        prepare(tools, step);
+        prepare(tools, step, !wishes.no_pictures);
         proofs.push_back(plan(tools.root, step));
     }
     return proofs;
@@ -378,7 +392,8 @@ int main(int argc, char** argv) {
     app.add_option("--json", wishes.json, "writes the counts to this file");
     app.add_option("--step", wishes.step, "one step alone: 3, 03 or 03_mirror");
     app.add_flag("--no-pictures", wishes.no_pictures, "does not render the wrong pictures");
-    app.add_flag("--write", wishes.write, "notes the signatures of the mistakes in mistakes/*.signatures");
+    app.add_flag("--write", wishes.write,
+                 "notes the signatures of the mistakes in mistakes/*.signatures, and their pictures");
     app.add_flag("--changed", wishes.changed,
                  "leaves out the steps that have not changed since they were proved (mistakes/proved.txt)");
     app.add_flag("--fresh", wishes.fresh,

@@ -1,0 +1,20 @@
+// The files of checks of a step: which there are, and in which order they are run.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace rt {
+
+/// As in "05_mesh_bvh_box": tests/05_mesh_bvh_box.cpp holds the checks, test_05_mesh_bvh_box runs them. First come
+/// those of headers with exercises, in an order in which these can be written; slow statistics come last.
+std::vector<std::string> check_files(const std::filesystem::path& root, const std::string& step);
+
+/// Statistics take longer than anybody likes to wait for.
+bool is_slow(const std::string& file);
+
+/// The one that has the checks of a header: "05_mesh_bvh_box" for box.h. Not every header has one.
+std::string check_file_of(const std::string& step, const std::string& header);
+
+} // namespace rt
