@@ -123,8 +123,8 @@ std::string build_checks(const Toolchain& tools, const std::string& source, cons
     const fs::path object = scratch / "checks.o", log = scratch / "compiler.log";
     auto compile = compile_command(tools, scratch);
     for (const std::string& word :
-         {level, std::string("-include"), (tools.work / level / "prefix.h").string(), std::string("-c"),
-          (tools.root / source).string(), std::string("-o"), object.string()})
+         {level, std::string("-include"), (tools.work / "tests" / level / "prefix.h").string(),
+          std::string("-c"), (tools.root / source).string(), std::string("-o"), object.string()})
         compile.push_back(word);
     if (run_process(compile, log).code != 0) return complaint_in(log);
     auto link = compile_command(tools, scratch);
@@ -158,25 +158,24 @@ Outcome run_source(const Toolchain& tools, const Change& change, const std::stri
     return outcome_from(lines);
 }
 
-/// What the checks include, compiled once.
-void parse_ahead(const Toolchain& tools, const std::string& level) {
-    const fs::path folder = tools.work / level;
+/// What most files include, compiled once.
+void parse_ahead(const Toolchain& tools, const std::string& header, const std::string& level) {
+    const fs::path folder = tools.work / fs::path(header).parent_path() / level;
     const fs::path prefix = folder / "prefix.h", made = folder / "prefix.h.gch",
                    stamp = folder / "prefix.key";
     Hash hash;
     std::set<std::string> seen;
     hash.add(tools.fixed);
-    add_with_includes(tools, {}, "tests/prefix.h", seen, hash);
+    add_with_includes(tools, {}, header, seen, hash);
     if (fs::exists(made) && fs::exists(stamp) && read_file(stamp.string()) == hash.text()) return;
     fs::create_directories(folder);
-    write_file(prefix.string(), read_file((tools.root / "tests/prefix.h").string()));
+    write_file(prefix.string(), read_file((tools.root / header).string()));
     auto command = compile_command(tools, tools.work);
     for (const std::string& word : {level, std::string("-x"), std::string("c++-header"), prefix.string(),
                                     std::string("-o"), made.string()})
         command.push_back(word);
     const fs::path log = folder / "prefix.log";
-    if (run_process(command, log).code != 0)
-        throw Error("the checks' headers do not compile: " + complaint_in(log));
+    if (run_process(command, log).code != 0) throw Error(header + " does not compile: " + complaint_in(log));
     write_file(stamp.string(), hash.text());
 }
 
@@ -222,8 +221,8 @@ std::string proof_key(const Toolchain& tools, const std::string& step) {
 }
 
 void prepare(const Toolchain& tools, const std::string& step, bool pictures) {
-    parse_ahead(tools, optimisation(step));
-    if (pictures) parse_ahead(tools, picture_level);
+    parse_ahead(tools, "tests/prefix.h", optimisation(step));
+    if (pictures) parse_ahead(tools, "common/prefix.h", picture_level);
 }
 
 Outcome run_checks(const Toolchain& tools, const Change& change) {
@@ -247,9 +246,9 @@ bool render_picture(const Toolchain& tools, const Change& change, const fs::path
     const fs::path program = scratch.path / "program", log = scratch.path / "log";
     auto command = compile_command(tools, scratch.path);
     for (const std::string& word :
-         {picture_level, std::string("-include"), (tools.work / picture_level / "prefix.h").string(),
-          (tools.root / source).string(), tools.library, std::string("-pthread"), std::string("-o"),
-          program.string()})
+         {picture_level, std::string("-include"),
+          (tools.work / "common" / picture_level / "prefix.h").string(), (tools.root / source).string(),
+          tools.library, std::string("-pthread"), std::string("-o"), program.string()})
         command.push_back(word);
     if (run_process(command, log).code != 0)
         throw Error(change.step + " does not compile: " + complaint_in(log));
