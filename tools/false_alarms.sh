@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
-# How often does compare call a right render wrong? Renders 07 and 08 with other seeds as ctest renders them, compares
-# each with its reference, and prints a table. false_alarms.sh [BUILD [SEEDS]]: build/release and 20 if not given.
+# How often does compare call a right render wrong? Renders 07 and 08 with other seeds as ctest renders them, or with
+# SAMPLES a pixel, compares each with its reference, and prints a table. false_alarms.sh [BUILD [SEEDS [SAMPLES]]]:
+# build/release and 20 if not given.
 set -eu
 
 project=$(cd "$(dirname "$0")/.." && pwd)
 build=${1:-$project/build/release}
 seeds=${2:-20}
+samples=${3-}
 references=$project/assets/reference
 [ -x "$build/bin/compare" ] || { echo "false_alarms: $build/bin/compare is not there; build it first" >&2; exit 2; }
 work=$(mktemp -d)
@@ -13,9 +15,10 @@ trap 'rm -rf "$work"' EXIT
 
 # Prints "verdict alarms largest_z mean_flip" of one render.
 one() { # $1: the step, $2: the seed
-    # shellcheck disable=SC2046 # the flags are words
-    "$build/bin/$1" --quiet --seed "$2" --out "$work/a.hdr" --variance "$work/v.hdr" \
-        $(sed -n 's/^test flags: *//p' "$references/$1.txt") >"$work/said"
+    local flags=${samples:+--samples $samples}
+    [ -n "$flags" ] || flags=$(sed -n 's/^test flags: *//p' "$references/$1.txt")
+    # shellcheck disable=SC2086 # the flags are words
+    "$build/bin/$1" --quiet --seed "$2" --out "$work/a.hdr" --variance "$work/v.hdr" $flags >"$work/said"
     "$build/bin/compare" "$work/a.hdr" "$references/$1.hdr" --variance-a "$work/v.hdr" \
         --variance-b "$references/$1.variance.hdr" --json "$work/json" >"$work/words" || true
     echo "$(sed -E 's/.*"verdict": "([a-z]*)".*/\1/' "$work/json")" \
