@@ -2,25 +2,20 @@
 // knowledge of each other across dimensions, pixels and seeds. Seeds are fixed: a right sampler is beyond
 // z = 4 in one run of 31,000 for the one-sided tests of spread, of 16,000 for the two-sided ones of a mean.
 #include "07_antialias/sampler.h"
+#include "tests/07_antialias.h"
 #include "tests/check.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
-#include <string>
 #include <vector>
 
 using namespace rt;
 
 namespace {
 
-const std::array kinds{SamplerKind::random, SamplerKind::stratified, SamplerKind::sobol};
 const std::array even_kinds{SamplerKind::stratified, SamplerKind::sobol};
-
-std::string name(SamplerKind kind) {
-    return std::array{"random", "stratified", "Sobol"}[std::size_t(kind)];
-}
 
 Sampler sampler_of(SamplerKind kind, int pixel, int index, int count, std::uint64_t seed) {
     return {kind, Sample{pixel % 640, pixel / 640, index, count,
@@ -45,17 +40,6 @@ std::vector<Point> points_of(SamplerKind kind, int pixel, int count, std::uint64
     return points;
 }
 
-/// How many standard deviations these counts are more uneven than even chances make them: Pearson's
-/// chi-square, made normal by Wilson and Hilferty (1931).
-double unevenness(const std::vector<int>& counts) {
-    double sum = 0, chi_square = 0;
-    for (const int count : counts) sum += count;
-    const double expected = sum / double(counts.size()), freedom = double(counts.size()) - 1;
-    for (const int count : counts) chi_square += (count - expected) * (count - expected) / expected;
-    const double spread = 2 / (9 * freedom);
-    return (std::cbrt(chi_square / freedom) - (1 - spread)) / std::sqrt(spread);
-}
-
 std::size_t bin(float u, int bins) {
     return std::size_t(std::min(int(u * float(bins)), bins - 1));
 }
@@ -74,86 +58,6 @@ std::vector<vec2> pairs_of(const std::vector<Point>& points, std::size_t first) 
 }
 
 } // namespace
-
-// ---- what samplers are made of
-
-TEST_CASE("a permutation reaches every place once, for any count and key") {
-    for (int count = 1; count <= 200; ++count)
-        for (std::uint64_t key = 1; key <= 20; ++key) {
-            std::vector<int> visits(std::size_t(count), 0);
-            for (int i = 0; i < count; ++i) {
-                const int place = permuted(i, count, scatter(key));
-                REQUIRE(place >= 0);
-                REQUIRE(place < count);
-                ++visits[std::size_t(place)];
-            }
-            INFO(count << " places, key " << key << ": two samples share a place and another stays empty");
-            CHECK(*std::max_element(visits.begin(), visits.end()) == 1);
-        }
-}
-
-TEST_CASE("over the keys, any two samples are sent to any two places equally often") {
-    for (const int count : {2, 3, 4, 5, 7, 8, 12, 16, 30, 64}) {
-        const auto n = std::size_t(count);
-        std::vector<int> found(n * n, 0);
-        const auto first = int(scatter(std::uint64_t(count)) % n);
-        const int second = (first + 1) % count;
-        for (int key = 0; key < 40 * count * count; ++key) {
-            const std::uint64_t bits = scatter(std::uint64_t(key) << 8 | n);
-            const auto place = std::size_t(permuted(first, count, bits));
-            ++found[place * n + std::size_t(permuted(second, count, bits))];
-        }
-        std::vector<int> off_diagonal;
-        for (std::size_t i = 0; i < n * n; ++i)
-            if (i / n != i % n) off_diagonal.push_back(found[i]);
-        INFO(count << " places: z = " << unevenness(off_diagonal)
-                   << "; the permutations are too few or alike");
-        CHECK(unevenness(off_diagonal) < 4);
-    }
-}
-
-TEST_CASE("Sobol's first points are those of the book, and the rest follow its direction numbers") {
-    const std::array<vec2, 8> book{vec2(0, 0),           vec2(0.5f, 0.5f),     vec2(0.25f, 0.75f),
-                                   vec2(0.75f, 0.25f),   vec2(0.125f, 0.625f), vec2(0.625f, 0.125f),
-                                   vec2(0.375f, 0.375f), vec2(0.875f, 0.875f)};
-    for (std::uint32_t i = 0; i < 8; ++i) {
-        INFO("point " << i);
-        CHECK(vec2(fraction(i), fraction(sobol_second(i))) == approx(book[i]));
-    }
-    // Of the polynomial x + 1: m_1 = 1, m_k = 2 m_(k-1) xor m_(k-1); bit k-1 of the index adds m_k / 2^k.
-    std::uint32_t m = 1;
-    for (int k = 1; k <= 32; ++k) {
-        const std::uint32_t direction = m << (32 - k);
-        INFO("direction " << k);
-        CHECK(sobol_second(1u << (k - 1)) == reversed_bits(direction));
-        m = 2 * m ^ m;
-    }
-    for (std::uint32_t i = 1; i < 1000; ++i) // and sums of indices without a common bit are sums of points
-        CHECK(sobol_second(i) == (sobol_second(i & (i - 1)) ^ sobol_second(i & ~(i - 1))));
-}
-
-TEST_CASE("Owen's scrambling sends boxes to boxes, and flips each digit for itself") {
-    Random random(5);
-    for (int trial = 0; trial < 10'000; ++trial) {
-        const auto a = std::uint32_t(random.bits()), b = std::uint32_t(random.bits()) << (trial % 31) ^ a;
-        const auto key = std::uint32_t(random.bits());
-        INFO("digits that agree from the front on still agree, and the first that differs still differs");
-        CHECK(std::countr_zero(owen_scrambled(a, key) ^ owen_scrambled(b, key)) == std::countr_zero(a ^ b));
-    }
-    // Digit d is flipped by chance alone, and by another chance below another digit before it.
-    for (int digit = 0; digit < 12; ++digit)
-        for (int before = 0; before < digit; ++before) {
-            std::vector<int> flips(4, 0);
-            for (int key = 0; key < 10'000; ++key) {
-                const auto bits = std::uint32_t(scatter(std::uint64_t(key)));
-                const auto flip = [&](std::uint32_t x) { return owen_scrambled(x, bits) >> digit & 1; };
-                ++flips[flip(0) * 2 + flip(1u << before)];
-            }
-            INFO("digit " << digit << " below a 0 and a 1 of digit " << before
-                          << ": z = " << unevenness(flips));
-            CHECK(unevenness(flips) < 4);
-        }
-}
 
 // ---- even over the samples of a pixel
 
@@ -320,6 +224,39 @@ TEST_CASE("the random sampler hands out what Random does") {
     }
 }
 
+TEST_CASE("every sample of every pixel has its own place") {
+    const auto first = [](SamplerKind kind, int x, int y, int index, std::uint64_t seed) {
+        return Sampler(kind, Sample{x, y, index, 16, Random(x, y, index, seed), seed}).uniform2();
+    };
+    for (const SamplerKind kind : kinds) {
+        INFO(name(kind) << ": equal places mean one seed for all pixels (a fixed dirt over the picture)");
+        const vec2 here = first(kind, 0, 0, 0, 1);
+        CHECK(here != first(kind, 1, 0, 0, 1));
+        CHECK(here != first(kind, 0, 1, 0, 1));
+        CHECK(first(kind, 1, 0, 0, 1) != first(kind, 0, 1, 0, 1));
+        CHECK(here != first(kind, 0, 0, 0, 2));
+        CHECK_MESSAGE(here != first(kind, 0, 0, 1, 1), "the generator starts again at every sample");
+    }
+}
+
+TEST_CASE("render gives neighbouring pixels and samples different places") {
+    std::array<vec2, 6> places{};
+    Picture wanted = picture(2, 2, 2);
+    wanted.threads = 1;
+    render(wanted, [&](const Sample& sample) {
+        const vec2 u = Sampler(SamplerKind::random, sample).uniform2();
+        const int pixel = sample.y * 2 + sample.x;
+        if (pixel < 3) places[std::size_t(pixel * 2 + sample.index)] = u;
+        return vec3(0);
+    });
+    for (std::size_t i = 0; i < places.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+            INFO("sample " << i % 2 << " of pixel " << i / 2 << " and sample " << j % 2 << " of pixel "
+                           << j / 2);
+            CHECK(places[i] != places[j]);
+        }
+}
+
 // ---- what it is for
 
 TEST_CASE("the error of a smooth mean falls much faster for even samples") {
@@ -352,4 +289,35 @@ TEST_CASE("the error of a smooth mean falls much faster for even samples") {
             CHECK(random[2] / even[2] > 4 * random[0] / even[0]);
         }
     }
+}
+
+TEST_CASE("16 even samples leave less than half of the variance of an edge that 16 random ones leave") {
+    // The line passes through pixels at all angles and distances; p is the share that lies on its inner side.
+    std::array<Mean, 3> variance;
+    Random shapes(37);
+    for (int trial = 0; trial < 60; ++trial) {
+        const float angle = 2 * pi * shapes.uniform();
+        const vec2 outward(std::cos(angle), std::sin(angle));
+        const vec2 through = vec2(0.5f) + (shapes.uniform() - 0.5f) * 0.6f * outward;
+        for (const SamplerKind kind : kinds) {
+            double share = 0, squares = 0;
+            std::array<double, 100> got{};
+            for (int pixel = 0; pixel < 100; ++pixel) {
+                int inside = 0;
+                for (int i = 0; i < 16; ++i)
+                    inside += dot(first_point(kind, i, 16, trial * 100 + pixel, 41) - through, outward) < 0;
+                got[std::size_t(pixel)] = inside / 16.0;
+                share += inside / 1600.0;
+            }
+            for (const double value : got) squares += (value - share) * (value - share) / 99;
+            if (share > 0.05 && share < 0.95)
+                variance[std::size_t(kind)].add(squares / (share * (1 - share) / 16));
+        }
+    }
+    const Mean &random = variance[0], &stratified = variance[1], &sobol = variance[2];
+    INFO("in units of p (1 - p) / 16, random samples left "
+         << random.mean() << ", stratified ones " << stratified.mean() << ", Sobol ones " << sobol.mean());
+    CHECK_MESSAGE(stratified.mean() < 0.5, "as much as random ones: the samples are not held in their cells");
+    CHECK_MESSAGE(sobol.mean() < 0.5, "as much as random ones: the points are not those of Sobol");
+    CHECK_MESSAGE(std::abs(random.z(1)) < 4, "random samples are to be random: " << random.against(1));
 }

@@ -1,0 +1,52 @@
+// What the checks of bounces, metals and lamps share: normals of all kinds, and how far means and counts
+// are from what they should be.
+#pragma once
+
+#include "01_spheres/hit.h"
+#include "tests/check.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace rt {
+
+inline const std::array<vec3, 9> normals{vec3(0, 1, 0),
+                                         vec3(0, 0, 1),
+                                         vec3(0, 0, -1),
+                                         vec3(-1, 0, 0),
+                                         normalize(vec3(0.3f, -0.5f, -0.9f)),
+                                         normalize(vec3(1, 2, -2)),
+                                         normalize(vec3(-0.4f, 0.2f, 0.7f)),
+                                         normalize(vec3(1e-4f, -2e-4f, -1)),
+                                         normalize(vec3(3, -1, -1e-6f))};
+
+/// How many standard errors the mean is off; a difference within rounding is none.
+inline double off(const Mean& mean, double want) {
+    return std::abs(mean.mean() - want) <= 1e-5 * std::max(1.0, std::abs(want)) ? 0 : std::abs(mean.z(want));
+}
+
+/// A place that receives light.
+inline Hit facing(vec3 position, vec3 normal) {
+    return {0, position, normal, normal, vec2(0), 0, false, position_error(position, position)};
+}
+
+/// Pearson's chi-square of found counts against expected ones.
+inline double chi_square(const std::vector<double>& found, const std::vector<double>& expected) {
+    double sum = 0;
+    for (std::size_t i = 0; i < found.size(); ++i)
+        sum += (found[i] - expected[i]) * (found[i] - expected[i]) / expected[i];
+    return sum;
+}
+
+/// An angle around `normal`, in [0, 1), from a direction at right angles to it that this check picks itself.
+inline double azimuth(vec3 normal, vec3 direction) {
+    using glm::dvec3;
+    const dvec3 n(normal);
+    const dvec3 right = normalize(cross(n, std::abs(n.x) < 0.6 ? dvec3(1, 0, 0) : dvec3(0, 1, 0)));
+    const double angle = std::atan2(dot(cross(n, right), dvec3(direction)), dot(right, dvec3(direction)));
+    return std::min(angle / (2 * double(pi)) + 0.5, 0.9999999);
+}
+
+} // namespace rt

@@ -1,0 +1,87 @@
+// Facts about paths that look for lamps in two ways: the light is the same, and both together are less noisy.
+// Noisy facts are z-tests with a fixed seed: a right renderer is beyond |z| = 4 in one run of 16,000.
+#include "08_indirect/radiance.h"
+#include "08_indirect/scene.h"
+#include "tests/08_indirect.h"
+#include "tests/08_indirect_lamps.h"
+#include "tests/08_indirect_paths.h"
+#include "tests/check.h"
+
+#include <cmath>
+#include <vector>
+
+using namespace rt;
+
+TEST_CASE("near a large lamp, however it is looked for, the same light arrives") {
+    // A floor point close below a lamp that fills much of its sky: quad, triangle or ball.
+    const vec3 position(0.2f, 0, 0.3f), up(0, 1, 0);
+    const std::vector<vec3> triangle{{-2, 0.3f, -1}, {2.5f, 0.5f, -1.5f}, {0.2f, 0.4f, 3}};
+    for (int kind = 0; kind < 3; ++kind) {
+        Scene scene;
+        const int lamp = add(scene, flat(vec3(3)));
+        scene.planes = {{{0, 0, 0}, up, add(scene, Diffuse{vec3(0.6f)})}};
+        double factor = 0;
+        if (kind == 0) {
+            scene.quads = {{{-1.5f, 0.4f, -1.5f}, {3, 0.3f, 0}, {0, 0.1f, 3}, lamp}};
+            factor = form_factor(corners_of(scene.quads[0]), position, up);
+        } else if (kind == 1) {
+            add_triangle(scene, triangle[0], triangle[1], triangle[2], lamp);
+            factor = form_factor(triangle, position, up);
+        } else {
+            scene.spheres = {{{0.5f, 1.3f, 0.1f}, 1, lamp}};
+            const vec3 way = scene.spheres[0].center - position;
+            factor = double(dot(normalize(way), up)) / double(dot(way, way));
+        }
+        for (const Direct direct : all_ways)
+            for (const Spread spread : {Spread::cosine, Spread::uniform}) {
+                const Transport transport{1, true, direct, false, spread};
+                const Mean mean =
+                    seen(scene, transport, {position + vec3(-9, 0.5f, 0), vec3(9, -0.5f, 0)}, 40'000);
+                INFO((kind == 0   ? "quad, "
+                      : kind == 1 ? "triangle, "
+                                  : "ball, ")
+                     << words(transport) << ": " << mean.against(0.6 * 3 * factor));
+                INFO("with both ways too bright or too dark: their shares do not add up, or one has "
+                     "another's density");
+                CHECK(off(mean, 0.6 * 3 * factor) < 4);
+            }
+    }
+}
+
+TEST_CASE("both ways together are less noisy than either, near a lamp and far from it") {
+    // A large lamp just above the floor, where asking is bad, and a small one far above, where chance is bad.
+    const auto variance = [](bool both, Direct direct) {
+        Scene scene;
+        scene.planes = {{{0, 0, 0}, {0, 1, 0}, add(scene, Diffuse{vec3(0.6f)})}};
+        scene.quads = {{{-1.5f, 0.15f, -1.5f}, {3, 0.2f, 0}, {0, 0.1f, 3}, add(scene, flat(vec3(1)))}};
+        if (both) {
+            scene.quads[0] = {{0.25f, 0.05f, -1.5f}, {1.5f, 1.2f, 0}, {0, 0, 3}, scene.quads[0].material};
+            scene.quads.push_back({{-1, 4, 0}, {0.3f, 0, 0}, {0, 0, 0.3f}, add(scene, flat(vec3(40)))});
+        }
+        const Transport transport{1, true, direct, false};
+        return seen(scene, transport, {vec3(-9, 0.2f, 0.3f), vec3(9.2f, -0.2f, 0)}, 40'000).variance();
+    };
+    for (const bool both : {false, true}) {
+        const double mis = variance(both, Direct::mis);
+        const double lights = variance(both, Direct::lights), bounces = variance(both, Direct::bounces);
+        INFO("variance " << mis << " with both, " << lights << " asked, " << bounces << " by chance");
+        CHECK(mis < 0.9 * lights);
+        if (both) CHECK(mis < 0.9 * bounces);
+    }
+}
+
+TEST_CASE("found by chance, a bright ball sends as much as when it is asked") {
+    // The lamp is small and bright: what clamps its rare, large samples loses their light.
+    for (const Direct direct : all_ways) {
+        Scene scene;
+        const int floor = add(scene, Diffuse{vec3(0.6f)});
+        scene.planes = {{{0, 0, 0}, normalize(vec3(0.2f, 1, -0.1f)), floor}};
+        scene.spheres = {{{1, 2, -1.5f}, 0.3f, add(scene, flat(vec3(500)))}};
+        const vec3 normal = scene.planes[0].normal, way(1, 2, -1.5f);
+        const double want = 0.6 * 500 * 0.09 / double(dot(way, way)) * double(dot(normalize(way), normal));
+        const Transport transport{1, true, direct, false};
+        const Mean mean = seen(scene, transport, {{-3, 2, 2}, {3, -2, -2}}, 60'000);
+        INFO(words(transport) << ": " << mean.against(want));
+        CHECK(off(mean, want) < 4);
+    }
+}
