@@ -294,8 +294,8 @@ Built answer_quickly(const Project& project, const CheckWish& wish, Findings& fi
     if (wish.picture) targets.push_back(wish.step);
     const Built built = build_targets(wish.build, targets, wish.build / "said.txt", "/workshop/", [&] {
         const std::vector<CheckResult> results = run_file(wish, checks);
-        out << "first     " << file << ": " << held(results) << " hold (" << seconds_since(findings)
-            << " s)\n"
+        out << "first     " << file << ", quick ones: " << held(results) << " hold ("
+            << seconds_since(findings) << " s)\n"
             << std::flush;
     });
     if (!built.well || !wish.picture) return built;

@@ -72,8 +72,10 @@ std::vector<std::string> check_sources(const Toolchain& tools, const Change& cha
     for (const std::string& file : check_files(tools.root, change.step))
         sources.push_back("tests/" + file + ".cpp");
     std::stable_partition(sources.begin(), sources.end(), [&](const std::string& source) {
+        const std::string file = fs::path(source).stem().string();
         return std::ranges::any_of(change.headers, [&](const auto& header) {
-            return fs::path(source).stem() == check_file_of(change.step, header.first);
+            const std::string own = check_file_of(change.step, header.first);
+            return file == own || file.starts_with(own + "_"); // as in 05_mesh_bvh_bvh_in_scenes
         });
     });
     return sources;
