@@ -3,27 +3,13 @@
 
 #include "05_mesh_bvh/box.h"
 #include "common/obj_file.h"
-#include "common/random.h"
+#include "tests/05_mesh_bvh_rays.h"
 
 #include <cmath>
 #include <map>
 #include <vector>
 
 namespace rt {
-
-inline vec3 random_point(Random& random) {
-    const float x = random.uniform();
-    const float y = random.uniform();
-    const float z = random.uniform();
-    return {x, y, z};
-}
-
-inline vec3 random_direction(Random& random) {
-    while (true) {
-        const vec3 p = 2.0f * random_point(random) - 1.0f;
-        if (dot(p, p) < 1 && dot(p, p) > 0.01f) return 1.7f * p; // of any length
-    }
-}
 
 inline void add_triangle(ObjFile& file, vec3 a, vec3 b, vec3 c) {
     const int first = int(file.positions.size());
@@ -129,6 +115,10 @@ inline std::vector<Box> boxes_of(const ObjFile& file) {
         boxes.push_back(box);
     }
     return boxes;
+}
+
+inline bool encloses(const Box& outer, const Box& inner) {
+    return all(lessThanEqual(outer.low, inner.low)) && all(greaterThanEqual(outer.high, inner.high));
 }
 
 /// Boxes at 2^k along an axis, so that each cut by equal bins splits off only a few of them.

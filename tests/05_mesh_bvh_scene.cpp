@@ -1,0 +1,51 @@
+// What a scene keeps of the models that are put into it: their triangles and their materials.
+#include "05_mesh_bvh/scene.h"
+#include "tests/check.h"
+#include "tests/meshes.h"
+
+using namespace rt;
+
+TEST_CASE("two models in one scene keep their own triangles and materials") {
+    ObjFile one = empty_file(), two = empty_file();
+    add_triangle(one, {-1, -1, 0}, {1, -1, 0}, {0, 1, 0});
+    add_triangle(two, {-1, -1, 1}, {1, -1, 1}, {0, 1, 1});
+    add_triangle(two, {-1, -1, 2}, {1, -1, 2}, {0, 1, 2});
+    one.material_list = {{.name = "red", .diffuse = {0.8f, 0.1f, 0.1f}}};
+    two.material_list = {{.name = "green", .diffuse = {0.1f, 0.8f, 0.1f}},
+                         {.name = "lamp", .emission = {3, 2, 1}}};
+    two.materials = {1, 0};
+    Scene scene;
+    add(scene, flat(vec3(7)));
+    add(scene, one, 40);
+    add(scene, two, 40);
+    prepare(scene);
+    const auto hit_from = [&](vec3 from, float direction) {
+        return *intersect(scene, Ray{from, {0, 0, direction}});
+    };
+    const auto diffuse = [&](const Hit& hit) {
+        return std::get<Diffuse>(scene.materials[std::size_t(hit.material)]);
+    };
+    CHECK(diffuse(hit_from({0, 0, 3}, -1)).albedo == vec3(0.1f, 0.8f, 0.1f));
+    CHECK(diffuse(hit_from({0, 0, 1.5f}, -1)).emission == vec3(3, 2, 1));
+    CHECK(diffuse(hit_from({0, 0, -1}, 1)).albedo == vec3(0.8f, 0.1f, 0.1f));
+}
+
+TEST_CASE("a model's material is matte, under a mirror if it reflects, or glass") {
+    Scene scene;
+    const auto added = [&](const ObjMaterial& material) {
+        return scene.materials[std::size_t(add(scene, material))];
+    };
+    const Material matte = added({.diffuse = {0.8f, 0.4f, 0.2f}, .emission = {1, 2, 3}});
+    REQUIRE(std::holds_alternative<Diffuse>(matte));
+    CHECK(std::get<Diffuse>(matte).albedo == vec3(0.8f, 0.4f, 0.2f));
+    CHECK(std::get<Diffuse>(matte).emission == vec3(1, 2, 3));
+    const Material glazed = added({.diffuse = {0.8f, 0.4f, 0.2f}, .reflectivity = 0.3f});
+    REQUIRE(std::holds_alternative<Reflective>(glazed));
+    CHECK(std::get<Reflective>(glazed).reflectivity == 0.3f);
+    CHECK(std::get<Diffuse>(scene.materials[std::size_t(std::get<Reflective>(glazed).base)]).albedo ==
+          vec3(0.8f, 0.4f, 0.2f));
+    const Material clear = added({.ior = 1.33f, .glass = true});
+    REQUIRE(std::holds_alternative<Glass>(clear));
+    CHECK(std::get<Glass>(clear).inside.ior == 1.33f);
+    CHECK(std::get<Glass>(clear).outside.ior == 1);
+}

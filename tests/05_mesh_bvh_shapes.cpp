@@ -1,0 +1,31 @@
+// Of spheres, planes, quads and triangles the nearest is met, however a ray looks for it.
+#include "05_mesh_bvh/scene.h"
+#include "tests/check.h"
+#include "tests/meshes.h"
+
+using namespace rt;
+
+TEST_CASE("the nearest of several things is met, whichever kind it is") {
+    for (int nearest = 0; nearest < 4; ++nearest) {
+        const auto depth = [&](int kind) { return -2.0f - float((kind - nearest + 4) % 4); };
+        for (const Accel accel : {Accel::brute, Accel::bvh, Accel::wide}) {
+            Scene scene;
+            scene.accel = accel;
+            for (int kind = 0; kind < 3; ++kind) add(scene, Diffuse{vec3(0.5f)});
+            scene.spheres = {{{0, 0, depth(0) - 0.25f}, 0.25f, 0}};
+            scene.planes = {{{0, 0, depth(1)}, {0, 0, 1}, 1}};
+            scene.quads = {{{-1, -1, depth(2)}, {2, 0, 0}, {0, 2, 0}, 2}};
+            ObjFile file = empty_file();
+            add_triangle(file, {-3, -3, depth(3)}, {3, -3, depth(3)}, {0, 3, depth(3)});
+            add(scene, file, 40);
+            prepare(scene);
+            const auto hit = intersect(scene, Ray{{0.01f, 0.02f, 0}, {0, 0, -2}});
+            REQUIRE(hit);
+            INFO("sphere, plane, quad, triangle: number ", nearest);
+            CHECK_MESSAGE(hit->material == nearest, "each hit shortens the ray for all that is asked later");
+            CHECK(hit->t == approx(1, 1e-2f));
+            CHECK(occluded(scene, Ray{{0.01f, 0.02f, 0}, {0, 0, -2}}));
+            CHECK(!occluded(scene, Ray{{0.01f, 0.02f, 0}, {0, 0, -2}, 0, 0.98f}));
+        }
+    }
+}
