@@ -1,5 +1,6 @@
 // The proof that the checks check: every stub fails them, and every mistake of the catalogue fails them in a way that
 // names it. ./learn prove runs it.
+#include "common/compare/judge.h"
 #include "common/complain.h"
 #include "common/error.h"
 #include "common/file_bytes.h"
@@ -146,10 +147,10 @@ void in_parallel(std::size_t count, int jobs, const std::function<void(std::size
     if (problem) std::rethrow_exception(problem);
 }
 
-/// One pixel that differs by a step of 8 bits is a difference.
-bool differ(const fs::path& a, const fs::path& b) {
-    if (!fs::exists(a) || !fs::exists(b)) return true;
-    return read_file(a.string()) != read_file(b.string());
+/// As everywhere, up to rounding.
+bool differ(const fs::path& right, const fs::path& wrong) {
+    if (!fs::exists(right) || !fs::exists(wrong)) return true;
+    return !is_same(judge({read_stored(wrong.string()), read_stored(right.string())}).finding);
 }
 
 /// Every third assertion of a signature is lost: those that another learner's mistake would not have failed.
