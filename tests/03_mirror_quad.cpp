@@ -20,10 +20,6 @@ Ray to_quad(float u, float v) {
     return {on_quad(u, v) - 1.5f * direction, direction};
 }
 
-float t_of(const std::optional<float>& t) {
-    return t.value_or(std::numeric_limits<float>::quiet_NaN());
-}
-
 } // namespace
 
 TEST_CASE("a quad is met between its edges and missed beyond them") {

@@ -3,6 +3,7 @@
 #include "07_antialias/filter.h"
 #include "07_antialias/sampler.h"
 #include "common/render.h"
+#include "tests/07_antialias.h"
 #include "tests/check.h"
 
 #include <array>
@@ -14,15 +15,6 @@
 using namespace rt;
 
 namespace {
-
-Picture picture(int width, int height, int samples, std::uint64_t seed = 7) {
-    Picture wanted;
-    wanted.width = width;
-    wanted.height = height;
-    wanted.samples = samples;
-    wanted.seed = seed;
-    return wanted;
-}
 
 /// A world that is a function of the place in the picture alone, seen as step 07 sees its scene.
 Film photograph(const Picture& wanted, SamplerKind kind, Filter filter, float width,

@@ -5,6 +5,8 @@
 #include "08_indirect/bounce.h"
 #include "08_indirect/radiance.h"
 #include "08_indirect/scene.h"
+#include "tests/08_indirect_lamps.h"
+#include "tests/08_indirect_paths.h"
 #include "tests/check.h"
 
 #include <array>
@@ -17,11 +19,6 @@ using namespace rt;
 
 namespace {
 
-/// How many standard errors the mean is off; a difference within rounding is none.
-double off(const Mean& mean, double want) {
-    return std::abs(mean.mean() - want) <= 1e-5 * std::max(1.0, std::abs(want)) ? 0 : std::abs(mean.z(want));
-}
-
 /// How many standard errors two means of different random numbers lie apart.
 double apart(const Mean& a, const Mean& b) {
     const double error = std::hypot(a.standard_error(), b.standard_error());
@@ -29,12 +26,10 @@ double apart(const Mean& a, const Mean& b) {
     return difference <= 1e-5 * std::max(1.0, std::abs(b.mean())) ? 0 : difference / error;
 }
 
-const std::array all_ways{Direct::mis, Direct::lights, Direct::bounces};
-
 using Channels = std::array<Mean, 3>;
 
-Channels seen(const Scene& scene, const Transport& transport, const Ray& ray, int samples,
-              std::uint64_t seed) {
+Channels channels_seen(const Scene& scene, const Transport& transport, const Ray& ray, int samples,
+                       std::uint64_t seed) {
     const AreaLights lights = area_lights(scene);
     Random random(seed);
     Channels mean;
@@ -51,23 +46,6 @@ void check_same(const Channels& a, const Channels& b) {
                         << b[k].mean() << " +- " << b[k].standard_error() << ", z = " << apart(a[k], b[k]));
         CHECK(apart(a[k], b[k]) < 4);
     }
-}
-
-std::string words(const Transport& transport) {
-    const std::array ways{"lights sampled and found", "lights sampled", "lights found by chance"};
-    return ways[std::size_t(transport.direct)] +
-           std::string(transport.spread == Spread::cosine ? "" : ", uniform bounces");
-}
-
-void add_triangle(Scene& scene, vec3 a, vec3 b, vec3 c, int material) {
-    const auto first = std::uint32_t(scene.mesh.positions.size());
-    for (const vec3 corner : {a, b, c}) {
-        scene.mesh.positions.push_back(corner);
-        scene.mesh.normals.push_back(normalize(cross(b - a, c - a)));
-        scene.mesh.uvs.push_back(vec2(0));
-    }
-    scene.mesh.triangles.push_back({first, first + 1, first + 2});
-    scene.mesh.materials.push_back(material);
 }
 
 /// Nothing in it stands straight: a floor and a wall, a quad, a ball and a triangle that glow, and a board
@@ -99,11 +77,11 @@ TEST_CASE("however lamps are looked for and bounces are spread, the picture is t
     for (const int depth : {1, 2, 5})
         for (const bool indirect : {true, false}) {
             const Channels chance =
-                seen(scene, {depth, indirect, Direct::bounces, false}, into_it, 150'000, 2);
+                channels_seen(scene, {depth, indirect, Direct::bounces, false}, into_it, 150'000, 2);
             for (const Direct direct : all_ways)
                 for (const Spread spread : {Spread::cosine, Spread::uniform}) {
                     const Transport transport{depth, indirect, direct, false, spread};
-                    const Channels other = seen(scene, transport, into_it, 100'000, 1);
+                    const Channels other = channels_seen(scene, transport, into_it, 100'000, 1);
                     INFO("depth " << depth << ", indirect light " << std::string(indirect ? "on" : "off")
                                   << ": " << words(transport)
                                   << ", then by chance and the cosine; too bright: counted twice");
@@ -123,10 +101,11 @@ TEST_CASE("with mirrors, metal and glass, too, all ways agree: no caustic is los
     scene.quads.push_back({{0.2f, 2.8f, 1.6f}, {0.7f, 0.2f, 0.3f}, {0.1f, 0.1f, 0.5f}, shiny_lamp});
     prepare(scene);
     for (const int depth : {2, 3, 6}) {
-        const Channels chance = seen(scene, {depth, true, Direct::bounces, true}, into_it, 150'000, 4);
+        const Channels chance =
+            channels_seen(scene, {depth, true, Direct::bounces, true}, into_it, 150'000, 4);
         for (const Direct direct : {Direct::mis, Direct::lights}) {
             const Transport transport{depth, true, direct, true};
-            const Channels asked = seen(scene, transport, into_it, 100'000, 3);
+            const Channels asked = channels_seen(scene, transport, into_it, 100'000, 3);
             INFO("depth " << depth << ": " << words(transport) << ", then by chance");
             check_same(asked, chance);
         }
@@ -137,8 +116,8 @@ TEST_CASE("roulette leaves the picture as it is") {
     Scene scene = oblique_scene();
     prepare(scene);
     for (const Direct direct : all_ways) {
-        const Channels without = seen(scene, {12, true, direct, false}, into_it, 50'000, 5);
-        const Channels with = seen(scene, {12, true, direct, true}, into_it, 50'000, 6);
+        const Channels without = channels_seen(scene, {12, true, direct, false}, into_it, 50'000, 5);
+        const Channels with = channels_seen(scene, {12, true, direct, true}, into_it, 50'000, 6);
         INFO("way " << int(direct)
                     << ": first without, then with roulette; too dark: survivors are to be divided by "
                        "their chance");
@@ -152,7 +131,8 @@ TEST_CASE("roulette saves work: in a dim closed room most paths end long before 
     prepare(scene);
     const auto rays = [&](bool with_roulette) {
         tally = {};
-        seen(scene, {30, true, Direct::lights, with_roulette}, {{0.5f, 2, 3}, {1, 0.3f, -0.2f}}, 500, 7);
+        channels_seen(scene, {30, true, Direct::lights, with_roulette}, {{0.5f, 2, 3}, {1, 0.3f, -0.2f}}, 500,
+                      7);
         return double(tally.rays);
     };
     const double full = rays(false), played = rays(true);
@@ -267,7 +247,7 @@ TEST_CASE(
     for (const Transport& transport :
          {Transport{25, true, Direct::mis, true}, Transport{25, true, Direct::lights, false},
           Transport{25, true, Direct::bounces, true}}) {
-        const Channels mean = seen(scene, transport, ray, 15'000, 12);
+        const Channels mean = channels_seen(scene, transport, ray, 15'000, 12);
         INFO(words(transport) << ", roulette: " << transport.roulette << ": " << mean[0].against(2));
         CHECK(off(mean[0], 2) < 4);
     }
@@ -337,8 +317,8 @@ TEST_CASE("light in a coloured medium is dimmed on its way, whether lamps are sa
                    {{-0.5f, 1, -0.5f}, {1, 0, 0.1f}, {0, 0.2f, 1}, lamp}};
     prepare(scene);
     const Ray ray{{4, 1.4f, 4.1f}, {-4, -2.2f, -4}};
-    const Channels asked = seen(scene, {2, true, Direct::lights, false}, ray, 60'000, 13);
-    const Channels chance = seen(scene, {2, true, Direct::bounces, false}, ray, 120'000, 14);
+    const Channels asked = channels_seen(scene, {2, true, Direct::lights, false}, ray, 60'000, 13);
+    const Channels chance = channels_seen(scene, {2, true, Direct::bounces, false}, ray, 120'000, 14);
     INFO("first sampled, then by chance; the first brighter: the shadow ray forgets Beer and Lambert");
     check_same(asked, chance);
 }
