@@ -7,7 +7,6 @@
 #include "03_mirror/quad.h"
 #include "05_mesh_bvh/bvh.h"
 #include "05_mesh_bvh/mesh.h"
-#include "05_mesh_bvh/wide_build.h"
 #include "05_mesh_bvh/wide_bvh.h"
 #include "common/match.h"
 #include "common/options.h"
@@ -42,46 +41,9 @@ struct Shapes {
     WideBvh<TriangleBlock> wide_triangles; ///< those of the mesh, and then the two halves of each quad
 };
 
-/// A quad as two triangles, so that the wide tree need not know it: `half` is 0 or 1.
-inline std::array<vec3, 3> half_of(const Quad& quad, std::size_t half) {
-    const vec3 opposite = quad.corner + quad.edge_u + quad.edge_v;
-    if (half == 0) return {quad.corner, quad.corner + quad.edge_u, opposite};
-    return {quad.corner, opposite, quad.corner + quad.edge_v};
-}
-
-/// Triangle number i of the wide tree.
-inline std::array<vec3, 3> wide_corners(const Shapes& shapes, std::uint32_t i) {
-    const std::size_t triangles = shapes.mesh.triangles.size();
-    if (i < triangles) return corners(shapes.mesh, i);
-    return half_of(shapes.quads[(i - triangles) / 2], (i - triangles) % 2);
-}
-
-inline void build_wide_trees(Shapes& shapes) {
-    shapes.wide_spheres = build_wide_bvh<SphereBlock>(
-        shapes.spheres.size(), [&](std::uint32_t i) { return bounds(shapes.spheres[i]); },
-        [&](SphereBlock& block, int lane, std::uint32_t i) { put(block, lane, shapes.spheres[i], i); });
-    shapes.wide_triangles = build_wide_bvh<TriangleBlock>(
-        shapes.mesh.triangles.size() + 2 * shapes.quads.size(),
-        [&](std::uint32_t i) { return bounds(wide_corners(shapes, i)); },
-        [&](TriangleBlock& block, int lane, std::uint32_t i) {
-            put(block, lane, wide_corners(shapes, i), i);
-        });
-}
-
-inline void build_binary_trees(Shapes& shapes) {
-    std::vector<Box> boxes;
-    for (const Sphere& sphere : shapes.spheres) boxes.push_back(bounds(sphere));
-    shapes.sphere_tree = build_bvh(boxes);
-    boxes.clear();
-    for (std::uint32_t i = 0; i < shapes.mesh.triangles.size(); ++i) boxes.push_back(bounds(shapes.mesh, i));
-    shapes.triangle_tree = build_bvh(boxes);
-}
-
-/// Builds the trees that `accel` asks for. Call it once, when all shapes are in place.
-inline void prepare(Shapes& shapes) {
-    if (shapes.accel == Accel::bvh) build_binary_trees(shapes);
-    if (shapes.accel == Accel::wide) build_wide_trees(shapes);
-}
+/// Builds the trees that `accel` asks for. Call it once, when all shapes are in place. It stands in shapes.cpp, which
+/// is compiled once for all programs.
+void prepare(Shapes& shapes);
 
 /// Calls test(i) for all shapes that the ray may meet, until one answers true.
 template <typename Test>

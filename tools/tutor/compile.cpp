@@ -4,10 +4,12 @@
 #include "common/file_bytes.h"
 #include "tools/tutor/process.h"
 
+#include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <future>
 #include <sstream>
+#include <thread>
 
 namespace rt {
 
@@ -63,7 +65,10 @@ std::optional<CompileError> first_error(const std::string& log, const std::strin
 
 Built build_targets(const fs::path& build, const std::vector<std::string>& targets, const fs::path& said,
                     const std::string& preferred, const std::function<void()>& first_is_there) {
-    std::vector<std::string> command{"/usr/bin/env", "cmake", "--build", build.string(), "--target"};
+    const std::string jobs =
+        std::to_string(std::max(1u, std::thread::hardware_concurrency())); // ninja takes two more
+    std::vector<std::string> command{"/usr/bin/env", "cmake", "--build", build.string(),
+                                     "--parallel",   jobs,    "--target"};
     command.insert(command.end(), targets.begin(), targets.end());
     auto ended = std::async(std::launch::async, [&] { return run_process(command, said); });
     bool told = !first_is_there;

@@ -26,7 +26,7 @@ std::string optimisation(const std::string& step) {
     return step < "05" || step.starts_with("06") ? "-O0" : "-O1";
 }
 
-const std::string picture_level = "-O1";
+const std::string part_level = "-O1"; // of programs for pictures, too
 
 constexpr RunLimits check_limits{.cpu_seconds = 30, .seconds = 300, .memory = std::uint64_t(4) << 30};
 
@@ -45,25 +45,41 @@ std::string text_of(const Toolchain& tools, const Change& change, const std::str
     return "";
 }
 
+/// "05_mesh_bvh/shapes.cpp" for shapes.h, if a part of the step stands there that is compiled by itself; or nothing.
+std::string part_beside(const Toolchain& tools, const std::string& header) {
+    const std::string part = fs::path(header).replace_extension(".cpp").string();
+    return header.ends_with(".h") && fs::exists(tools.root / "steps" / part) ? part : "";
+}
+
+/// `seen` grows by the name and whatever belongs to it.
 void add_with_includes(const Toolchain& tools, const Change& change, const std::string& name,
                        std::set<std::string>& seen, Hash& hash) {
-    if (!seen.insert(name).second) return;
+    if (name.empty() || !seen.insert(name).second) return;
     const std::string text = text_of(tools, change, name);
     hash.add(name);
     hash.add(text);
     for (const std::string& line : lines_of(text))
         if (const std::string other = included(line); !other.empty())
             add_with_includes(tools, change, other, seen, hash);
+    add_with_includes(tools, change, part_beside(tools, name), seen, hash);
 }
 
-/// Of all that the object of a source depends on.
-std::string object_key(const Toolchain& tools, const Change& change, const std::string& source) {
+/// A source of checks or of a program: a hash of all that it depends on, and the parts to link it with.
+struct Source {
+    std::string key;
+    std::vector<std::string> parts; ///< "05_mesh_bvh/shapes.cpp"
+};
+
+Source look_at(const Toolchain& tools, const Change& change, const std::string& source) {
     Hash hash;
     std::set<std::string> seen;
     hash.add(tools.fixed);
     hash.add(optimisation(fs::path(source).filename().string()));
     add_with_includes(tools, change, source, seen, hash);
-    return hash.text();
+    Source looked{hash.text(), {}};
+    for (const std::string& name : seen)
+        if (name != source && name.ends_with(".cpp")) looked.parts.push_back(name);
+    return looked;
 }
 
 /// "tests/03_mirror_mirror.cpp" and the others of the step; those of the changed headers come first.
@@ -118,9 +134,30 @@ std::string complaint_in(const fs::path& log) {
     return error->file + ":" + std::to_string(error->line) + ": " + error->message;
 }
 
+/// Compiles a part of a step; its object is kept, as few changes touch it. The compiler's complaint if that fails.
+std::string compile_part(const Toolchain& tools, const Change& change, const std::string& part,
+                         const fs::path& scratch, std::vector<std::string>& objects) {
+    const fs::path kept = tools.work / "cache" / (look_at(tools, change, part).key + ".o");
+    objects.push_back(kept.string());
+    if (fs::exists(kept)) return "";
+    const fs::path object = scratch / "part.o", log = scratch / "compiler.log";
+    auto command = compile_command(tools, scratch);
+    for (const std::string& word :
+         {part_level, std::string("-include"), (tools.work / "common" / part_level / "prefix.h").string(),
+          std::string("-c"), (tools.root / "steps" / part).string(), std::string("-o"), object.string()})
+        command.push_back(word);
+    if (run_process(command, log).code != 0) return complaint_in(log);
+    fs::rename(object, kept);
+    return "";
+}
+
 /// Compiles and links one file of checks; the compiler's complaint if that fails.
-std::string build_checks(const Toolchain& tools, const std::string& source, const fs::path& scratch,
-                         const fs::path& program) {
+std::string build_checks(const Toolchain& tools, const Change& change, const std::string& source,
+                         const fs::path& scratch, const fs::path& program) {
+    std::vector<std::string> objects;
+    for (const std::string& part : look_at(tools, change, source).parts)
+        if (const auto complaint = compile_part(tools, change, part, scratch, objects); !complaint.empty())
+            return complaint;
     const std::string level = optimisation(fs::path(source).filename().string());
     const fs::path object = scratch / "checks.o", log = scratch / "compiler.log";
     auto compile = compile_command(tools, scratch);
@@ -130,8 +167,10 @@ std::string build_checks(const Toolchain& tools, const std::string& source, cons
         compile.push_back(word);
     if (run_process(compile, log).code != 0) return complaint_in(log);
     auto link = compile_command(tools, scratch);
-    for (const std::string& word : {object.string(), tools.test_main, tools.library, std::string("-pthread"),
-                                    std::string("-o"), program.string()})
+    link.push_back(object.string());
+    std::ranges::copy(objects, std::back_inserter(link));
+    for (const std::string& word :
+         {tools.test_main, tools.library, std::string("-pthread"), std::string("-o"), program.string()})
         link.push_back(word);
     return run_process(link, log).code != 0 ? complaint_in(log) : "";
 }
@@ -145,14 +184,13 @@ Outcome outcome_from(const std::string& kept) {
 
 /// One file of checks. What came is kept.
 Outcome run_source(const Toolchain& tools, const Change& change, const std::string& source) {
-    Hash hash;
-    hash.add(object_key(tools, change, source));
-    const fs::path kept = tools.work / "cache" / (hash.text() + ".lines");
+    const fs::path kept = tools.work / "cache" / (look_at(tools, change, source).key + ".lines");
     if (fs::exists(kept)) return outcome_from(read_file(kept.string()));
     const Scratch scratch(tools, change, fs::path(source).stem().string());
     write_overlay(scratch.path, change);
     const fs::path program = scratch.path / "checks", log = scratch.path / "checks.log";
-    if (const std::string complaint = build_checks(tools, source, scratch.path, program); !complaint.empty())
+    if (const std::string complaint = build_checks(tools, change, source, scratch.path, program);
+        !complaint.empty())
         return {.compiled = false, .too_long = false, .complaint = complaint, .results = {}};
     const Ended ended = run_process({program.string(), "--reporters=lines"}, log, check_limits);
     const std::string lines = (ended.too_long ? "too long\n" : "ended\n") + read_file(log.string());
@@ -222,9 +260,9 @@ std::string proof_key(const Toolchain& tools, const std::string& step) {
     return hash.text();
 }
 
-void prepare(const Toolchain& tools, const std::string& step, bool pictures) {
+void prepare(const Toolchain& tools, const std::string& step) {
     parse_ahead(tools, "tests/prefix.h", optimisation(step));
-    if (pictures) parse_ahead(tools, "common/prefix.h", picture_level);
+    parse_ahead(tools, "common/prefix.h", part_level);
 }
 
 Outcome run_checks(const Toolchain& tools, const Change& change) {
@@ -241,19 +279,26 @@ Outcome run_checks(const Toolchain& tools, const Change& change) {
 bool render_picture(const Toolchain& tools, const Change& change, const fs::path& picture) {
     const std::string source = "steps/" + change.step + "/main.cpp";
     const fs::path stamp = fs::path(picture).replace_extension(".key");
-    const std::string key = object_key(tools, change, source);
+    const auto [key, parts] = look_at(tools, change, source);
     if (fs::exists(stamp) && read_file(stamp.string()) == key) return fs::exists(picture);
     const Scratch scratch(tools, change, "picture");
     write_overlay(scratch.path, change);
     const fs::path program = scratch.path / "program", log = scratch.path / "log";
+    std::vector<std::string> objects;
+    std::string complaint;
+    for (const std::string& part : parts)
+        if (complaint.empty()) complaint = compile_part(tools, change, part, scratch.path, objects);
     auto command = compile_command(tools, scratch.path);
     for (const std::string& word :
-         {picture_level, std::string("-include"),
-          (tools.work / "common" / picture_level / "prefix.h").string(), (tools.root / source).string(),
-          tools.library, std::string("-pthread"), std::string("-o"), program.string()})
+         {part_level, std::string("-include"), (tools.work / "common" / part_level / "prefix.h").string(),
+          (tools.root / source).string()})
         command.push_back(word);
-    if (run_process(command, log).code != 0)
-        throw Error(change.step + " does not compile: " + complaint_in(log));
+    std::ranges::copy(objects, std::back_inserter(command));
+    for (const std::string& word :
+         {tools.library, std::string("-pthread"), std::string("-o"), program.string()})
+        command.push_back(word);
+    if (complaint.empty() && run_process(command, log).code != 0) complaint = complaint_in(log);
+    if (!complaint.empty()) throw Error(change.step + " does not compile: " + complaint);
     fs::create_directories(picture.parent_path());
     fs::remove(picture);
     std::vector<std::string> render{program.string(), "--quiet", "--threads", "1", "--out", picture.string()};

@@ -41,8 +41,8 @@ struct Outcome {
 /// Of all that the proof of a step depends on: its checks, whatever they include, and its mistakes.
 std::string proof_key(const Toolchain& tools, const std::string& step);
 
-/// Compiles what the checks of the step include, and its program for pictures, once. Throws Error.
-void prepare(const Toolchain& tools, const std::string& step, bool pictures);
+/// Compiles what the checks of the step and its program include, once. Throws Error.
+void prepare(const Toolchain& tools, const std::string& step);
 
 /// The outcome of the first file of the step's checks in which something fails, or of all of them; the files of the
 /// changed headers come first, slow statistics last. Throws Error if the tools do not work.

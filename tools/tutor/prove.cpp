@@ -342,7 +342,7 @@ std::vector<StepProof> plan_all(const Toolchain& tools, const Wishes& wishes) {
     std::map<std::string, std::string> noted = noted_keys(tools);
     for (const std::string& step : step_names(tools.root, wishes.step)) {
         if (wishes.changed && noted[step] == proof_key(tools, step)) continue;
-        prepare(tools, step, !wishes.no_pictures);
+        prepare(tools, step);
         proofs.push_back(plan(tools.root, step));
     }
     return proofs;
