@@ -1,0 +1,168 @@
+// The machine that keeps the chapters true: it finds what a marker names, and complains if it cannot.
+#include "common/error.h"
+#include "tests/check.h"
+#include "tools/tutor/exercises.h"
+#include "tools/weave/region.h"
+#include "tools/weave/weave.h"
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+using namespace rt;
+
+namespace {
+
+const std::string source = R"(// What this file is for.
+#pragma once
+
+#include <vector>
+
+namespace rt {
+
+/// A shape.
+struct alignas(64) Shape {
+    int number = 0; // };
+};
+
+using Shapes = std::vector<Shape>;
+
+/// How near is near.
+inline constexpr float epsilon = 1e-4f;
+
+enum class Kind { a, b };
+
+template <typename T>
+int size(const T& of);
+
+/// In words "};" and '{'.
+template <typename T>
+int size(const T& of) {
+    if (of.empty()) {
+        return '}';
+    }
+    return int(of.size());
+}
+
+inline int meet(const Shape& shape, int t) {
+    return shape.number + t;
+}
+
+/// The other one.
+inline int meet(const Shapes& shapes, int t) {
+    return size(shapes) + t;
+}
+
+} // namespace rt
+)";
+
+std::string complaint_of(const std::string& name) {
+    try {
+        region(source, name, "steps/x.h");
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+std::string complaint_in(const std::vector<std::string>& lines) {
+    try {
+        find_blocks(lines, "docs/x.md");
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+} // namespace
+
+TEST_CASE("A listing is a whole declaration with the comment over it") {
+    CHECK(region(source, "Shape", "") ==
+          "/// A shape.\nstruct alignas(64) Shape {\n    int number = 0; // };\n};\n");
+    CHECK(region(source, "Shapes", "") == "using Shapes = std::vector<Shape>;\n");
+    CHECK(region(source, "epsilon", "") ==
+          "/// How near is near.\ninline constexpr float epsilon = 1e-4f;\n");
+    CHECK(region(source, "Kind", "") == "enum class Kind { a, b };\n");
+}
+
+TEST_CASE("A listing of a template shows its definition, and brackets in quotes do not end it") {
+    const std::string size = region(source, "size", "");
+    CHECK(size.starts_with("/// In words"));
+    CHECK(size.ends_with("    return int(of.size());\n}\n"));
+}
+
+TEST_CASE("Functions of one name are told apart by their parameters") {
+    CHECK(region(source, "meet(const Shapes", "")
+              .starts_with("/// The other one.\ninline int meet(const Shapes&"));
+    CHECK(region(source, "meet(const Shape&", "").starts_with("inline int meet(const Shape& shape"));
+    CHECK(complaint_of("meet").starts_with("steps/x.h: declares meet 2 times"));
+}
+
+TEST_CASE("A name that is gone is a complaint, even if it is used") {
+    CHECK(complaint_of("shape") == "steps/x.h: declares no shape");
+    CHECK(complaint_of("vector") == "steps/x.h: declares no vector");
+    CHECK(complaint_of("number") == "steps/x.h: declares no number");
+}
+
+TEST_CASE(
+    "A marker without an end, an end without a marker and an unknown kind are complaints with their line") {
+    CHECK(complaint_in({"", "<!-- listing: a.h -->", "x"}) == "docs/x.md:2: this marker has no <!-- end -->");
+    CHECK(complaint_in({"<!-- end -->"}) == "docs/x.md:1: an end without a marker before it");
+    CHECK(complaint_in({"<!-- lsting: a.h -->", "<!-- end -->"})
+              .starts_with("docs/x.md:1: \"lsting\" is none of"));
+    CHECK(complaint_in({"<!-- diff: a b -->", "<!-- diff: a b -->"})
+              .starts_with("docs/x.md:2: a marker before"));
+    CHECK(complaint_in({"<!-- diff: a b -->", "<!-- end -->", "<!-- a word -->"}) == "");
+}
+
+TEST_CASE("Weaving fills the blocks and leaves all else as it is") {
+    const std::string page =
+        "one\n<!-- listing: a -->\nold\nold\n<!-- end -->\ntwo\n<!-- listing: b -->\n<!-- end -->\n";
+    std::string seen;
+    const std::string fresh = woven(page, "docs/x.md", [&](const Block& block, const std::string& now) {
+        seen += now;
+        return "new " + block.what + "\n";
+    });
+    CHECK(seen == "old\nold\n");
+    CHECK(fresh ==
+          "one\n<!-- listing: a -->\nnew a\n<!-- end -->\ntwo\n<!-- listing: b -->\nnew b\n<!-- end -->\n");
+}
+
+TEST_CASE("The commands of a page are the lines of its shell blocks, with the code that they name") {
+    const auto commands = find_commands(lines_of("```sh\n./learn start 03\n\n./learn check 03    # exit 1: "
+                                                 "nothing is written\n```\n```cpp\nint a;\n```\n"));
+    REQUIRE(commands.size() == 2);
+    CHECK(commands[0].line == "./learn start 03");
+    CHECK(commands[0].code == 0);
+    CHECK(commands[1].code == 1);
+    CHECK(commands[1].number == 4);
+}
+
+TEST_CASE("Listings, diffs and galleries are made from files, and complain of what is not there") {
+    const std::filesystem::path root = std::filesystem::temp_directory_path() / "raysteps_docs_check";
+    std::filesystem::create_directories(root / "steps");
+    std::ofstream(root / "steps/a.h") << "int f() {\n    //> do it\n    return 2;\n    //< return 0;\n}\n";
+    std::ofstream(root / "steps/b.h") << "int f() {\n    return 3;\n}\n";
+    CHECK(made(root, {"listing", "steps/a.h#f", 0, 0}) == "```cpp\nint f() {\n    return 2;\n}\n```\n");
+    CHECK(made(root, {"diff", "steps/a.h steps/b.h", 0, 0}).find("-    return 2;\n+    return 3;\n") !=
+          std::string::npos);
+    CHECK_THROWS_AS(made(root, {"diff", "steps/a.h steps/a.h", 0, 0}), Error);
+    CHECK_THROWS_AS(made(root, {"listing", "steps/c.h", 0, 0}), Error);
+    CHECK_THROWS_AS(made(root, {"gallery", "09_none", 0, 0}), Error);
+    std::filesystem::remove_all(root);
+}
+
+TEST_CASE("Dead links, dead pictures, dead headings and dead paths are found, with their lines") {
+    const std::filesystem::path root = std::filesystem::temp_directory_path() / "raysteps_links_check";
+    std::filesystem::create_directories(root / "docs");
+    std::ofstream(root / "docs/b.md") << "# A heading, of two: words\n";
+    const std::string page =
+        "[b](b.md) ![p](p.png)\n[c](b.md#a-heading-of-two-words) [d](b.md#gone) [e](#here)\n"
+        "```sh\n[f](f.md)\n```\n## Here\n`docs/b.md` `docs/c.md` [w](https://example.org)\n";
+    const auto dead = dead_links(root, page, "docs/a.md");
+    REQUIRE(dead.size() == 3);
+    CHECK(dead[0] == "docs/a.md:1: p.png is not there");
+    CHECK(dead[1] == "docs/a.md:2: b.md#gone is not there");
+    CHECK(dead[2] == "docs/a.md:7: `docs/c.md` is not there");
+    std::filesystem::remove_all(root);
+}

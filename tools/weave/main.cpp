@@ -1,0 +1,158 @@
+// weave: fills the chapters with the code that is there, and says where they are stale. Exit code: 0 all is true, 1 something
+// is not, 2 a page that cannot be read, written or understood.
+#include "tools/weave/weave.h"
+
+#include "common/complain.h"
+#include "common/error.h"
+#include "common/file_bytes.h"
+#include "tools/tutor/exercises.h"
+#include "tools/tutor/process.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <exception>
+#include <iostream>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Wishes {
+    std::string root = ".";
+    std::vector<std::string> pages;
+    bool check = false, commands = false, outputs = false;
+};
+
+/// The pages' paths from the root: all of docs/ and the README, unless some are named.
+std::vector<std::string> pages_of(const Wishes& wishes) {
+    if (!wishes.pages.empty()) return wishes.pages;
+    std::vector<std::string> pages{"README.md"};
+    for (const auto& entry : fs::directory_iterator(fs::path(wishes.root) / "docs"))
+        if (entry.path().extension() == ".md") pages.push_back("docs/" + entry.path().filename().string());
+    std::ranges::sort(pages);
+    return pages;
+}
+
+/// What is said of a page, a line each.
+struct Report {
+    bool all_is_true = true;
+    void complain(const std::string& line) {
+        all_is_true = false;
+        std::cout << line << std::endl;
+    }
+};
+
+constexpr rt::RunLimits patience{.seconds = 600};
+
+/// What a command says on its standard output. Throws Error if its code is not 0.
+std::string output_of(const Wishes& wishes, const std::string& command) {
+    const fs::path said =
+        fs::temp_directory_path() / ("weave." + std::to_string(std::hash<std::string>()(command)) + ".txt");
+    const std::string line = "cd '" + wishes.root + "' && { " + command + "\n} 2>/dev/null";
+    const rt::Ended ended = rt::run_process({"/bin/bash", "-c", line}, said, patience);
+    const std::string output = rt::read_file(said.string());
+    fs::remove(said);
+    if (ended.code != 0)
+        throw rt::Error("`" + command + "` ends with code " + std::to_string(ended.code) + ":\n" + output);
+    return output;
+}
+
+bool is_run(const rt::Block& block) {
+    return block.kind == "output" || block.kind == "measured";
+}
+
+/// Writes the page anew where it is stale.
+void weave(const Wishes& wishes, const std::string& page) {
+    const fs::path path = fs::path(wishes.root) / page;
+    const std::string old = rt::read_file(path.string());
+    const std::string fresh = rt::woven(old, page, [&](const rt::Block& block, const std::string& now) {
+        if (!is_run(block)) return rt::made(wishes.root, block);
+        return now.empty() || wishes.outputs ? rt::fenced(output_of(wishes, block.what)) : now;
+    });
+    if (fresh == old) return;
+    rt::write_file(path.string(), fresh);
+    std::cout << page << ": written\n";
+}
+
+/// Says what is stale in the page, and what it refers to that is not there.
+void check(const Wishes& wishes, const std::string& page, Report& report) {
+    const std::string text = rt::read_file((fs::path(wishes.root) / page).string());
+    rt::woven(text, page, [&](const rt::Block& block, const std::string& now) {
+        const std::string where = page + ":" + std::to_string(block.begin) + ": ";
+        if (is_run(block) ? now.empty() : now != rt::made(wishes.root, block))
+            report.complain(where + block.kind + " " + block.what +
+                            " is stale: ./learn weave writes it anew");
+        return now;
+    });
+    for (const std::string& line : rt::dead_links(wishes.root, text, page)) report.complain(line);
+}
+
+/// Runs what the page tells its reader to type, and holds the output that it shows against what comes.
+void run_commands(const Wishes& wishes, const std::string& page, Report& report) {
+    const std::string text = rt::read_file((fs::path(wishes.root) / page).string());
+    for (const rt::Command& command : rt::find_commands(rt::lines_of(text))) {
+        const fs::path said = fs::temp_directory_path() / "weave.command.txt";
+        std::cout << page << ":" << command.number << ": " << command.line << std::endl;
+        const rt::Ended ended = rt::run_process(
+            {"/bin/bash", "-c", "cd '" + wishes.root + "' && " + command.line}, said, patience);
+        if (ended.code != command.code || ended.too_long)
+            report.complain(page + ":" + std::to_string(command.number) + ": ends with code " +
+                            std::to_string(ended.code) + ", not " + std::to_string(command.code) + ":\n" +
+                            rt::read_file(said.string()));
+    }
+    rt::woven(text, page, [&](const rt::Block& block, const std::string& now) {
+        if (!is_run(block)) return now;
+        std::cout << page << ":" << block.begin << ": " << block.what << std::endl;
+        const std::string fresh = rt::fenced(output_of(wishes, block.what));
+        if (block.kind == "output" && fresh != now)
+            report.complain(page + ":" + std::to_string(block.begin) + ": the output is another now:\n" +
+                            fresh);
+        return now;
+    });
+}
+
+int answer(const Wishes& wishes) {
+    Report report;
+    for (const std::string& page : pages_of(wishes)) {
+        if (wishes.check)
+            check(wishes, page, report);
+        else if (wishes.commands)
+            run_commands(wishes, page, report);
+        else
+            weave(wishes, page);
+    }
+    return report.all_is_true ? 0 : 1;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app("Fills the chapters' listings, diffs, galleries and outputs with what is there.\n"
+                 "Exit code: 0 all is true, 1 something is not, 2 an error.",
+                 "weave");
+    Wishes wishes;
+    app.add_option("PAGES", wishes.pages,
+                   "docs/03_mirror.md ...; all of docs/ and the README if none is named");
+    CLI::Option* const check_flag =
+        app.add_flag("--check", wishes.check, "writes nothing: says what is stale, and which links are dead");
+    CLI::Option* const commands_flag = app.add_flag(
+        "--commands", wishes.commands,
+        "writes nothing: runs every command of the pages, and compares the output that they show");
+    app.add_flag("--outputs", wishes.outputs,
+                 "runs the commands of all outputs anew, not only of those that are empty")
+        ->excludes(check_flag)
+        ->excludes(commands_flag);
+    check_flag->excludes(commands_flag);
+    app.add_option("--root", wishes.root, "the project's folder")->required();
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : 2;
+    }
+    try {
+        return answer(wishes);
+    } catch (const std::exception& error) {
+        return rt::complain("weave", error.what());
+    }
+}

@@ -1,0 +1,180 @@
+// Finds the markers of a page and makes what belongs between them.
+#include "tools/weave/weave.h"
+
+#include "common/error.h"
+#include "common/file_bytes.h"
+#include "tools/tutor/catalogue.h"
+#include "tools/tutor/exercises.h"
+#include "tools/tutor/line_diff.h"
+#include "tools/weave/region.h"
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+
+namespace rt {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::array kinds{"listing", "diff", "gallery", "output", "measured"};
+const std::string opens = "<!-- ", closes = " -->", end_marker = "<!-- end -->";
+
+[[noreturn]] void complain(const std::string& path, std::size_t line, const std::string& what) {
+    throw Error(path + ":" + std::to_string(line + 1) + ": " + what);
+}
+
+std::vector<std::string> words_of(const std::string& text) {
+    std::istringstream in(text);
+    std::vector<std::string> words;
+    for (std::string word; in >> word;) words.push_back(word);
+    return words;
+}
+
+std::string read(const fs::path& root, const std::string& file) {
+    return without_markers(read_file((root / file).string()));
+}
+
+std::string without_blank_ends(std::string text) {
+    while (text.ends_with("\n\n")) text.pop_back();
+    while (text.starts_with("\n")) text.erase(0, 1);
+    return text;
+}
+
+std::string listing(const fs::path& root, const std::string& what) {
+    const std::size_t hash = what.find('#');
+    const std::string file = what.substr(0, hash), whole = read(root, file);
+    const std::string code = hash == std::string::npos ? whole : region(whole, what.substr(hash + 1), file);
+    const std::string language = file.ends_with(".sh") ? "sh" : "cpp";
+    return "```" + language + '\n' + without_blank_ends(code) + "```\n";
+}
+
+std::string diff(const fs::path& root, const std::string& what) {
+    const auto files = words_of(what);
+    if (files.size() != 2) throw Error("diff: wants two files, not \"" + what + "\"");
+    const std::string text = unified(
+        line_diff(lines_of(read(root, files[0])), lines_of(read(root, files[1]))), files[0], files[1], false);
+    if (text.empty()) throw Error("diff: " + files[0] + " and " + files[1] + " are the same");
+    return "```diff\n" + text + "```\n";
+}
+
+/// In a cell of a table a bar ends the cell.
+std::string cell(const std::string& text) {
+    std::string safe;
+    for (const char c : text) {
+        if (c == '|') safe += '\\';
+        safe += c;
+    }
+    return safe;
+}
+
+std::string sentence(std::string text) {
+    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = char(text[0] - 'a' + 'A');
+    if (!text.empty() && text.back() != '.') text += '.';
+    return text;
+}
+
+std::string row(const fs::path& root, const Mistake& mistake) {
+    const std::string picture = "mistakes/" + mistake.step + "/" + mistake.id + ".png";
+    const bool seen = fs::exists(root / picture);
+    return "| " +
+           (seen ? "![" + cell(mistake.title) + "](../" + picture + ")" : std::string("no pixel changes")) +
+           " | **" + cell(sentence(mistake.title)) + "** " +
+           (seen ? cell(sentence(mistake.shows)) + " " : "") + "*Why:* " + cell(sentence(mistake.why)) +
+           " *Mend it:* " + cell(mistake.fix) + " |\n";
+}
+
+std::string gallery(const fs::path& root, const std::string& what) {
+    auto words = words_of(what);
+    if (words.empty()) throw Error("gallery: names no step");
+    const std::vector<Mistake> known = read_catalogue(root, words[0]);
+    if (known.empty()) throw Error("gallery: no mistakes are known of a step " + words[0]);
+    if (words.size() == 1)
+        for (const Mistake& mistake : known) words.push_back(mistake.id);
+    std::string table = "| what you see | what it is |\n| --- | --- |\n";
+    for (std::size_t i = 1; i < words.size(); ++i) {
+        const auto found = std::ranges::find(known, words[i], &Mistake::id);
+        if (found == known.end()) throw Error("gallery: mistakes/" + words[0] + ".md has no " + words[i]);
+        table += row(root, *found);
+    }
+    return "\n" + table + "\n";
+}
+
+} // namespace
+
+std::vector<Block> find_blocks(const std::vector<std::string>& lines, const std::string& path) {
+    std::vector<Block> blocks;
+    bool open = false;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const std::string& line = lines[i];
+        if (line == end_marker) {
+            if (!open) complain(path, i, "an end without a marker before it");
+            blocks.back().end = i;
+            open = false;
+            continue;
+        }
+        const std::size_t colon = line.find(": ");
+        if (!line.starts_with(opens) || !line.ends_with(closes) || colon == std::string::npos) continue;
+        const std::string kind = line.substr(opens.size(), colon - opens.size());
+        const std::string what = line.substr(colon + 2, line.size() - closes.size() - colon - 2);
+        if (open) complain(path, i, "a marker before the end of the one before");
+        if (std::ranges::find(kinds, kind) == kinds.end())
+            complain(path, i, "\"" + kind + "\" is none of listing, diff, gallery, output, measured");
+        blocks.push_back({kind, what, i + 1, i + 1});
+        open = true;
+    }
+    if (open) complain(path, blocks.back().begin - 1, "this marker has no <!-- end -->");
+    return blocks;
+}
+
+std::vector<Command> find_commands(const std::vector<std::string>& lines) {
+    std::vector<Command> commands;
+    bool inside = false;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        if (lines[i].starts_with("```")) {
+            inside = !inside && lines[i] == "```sh";
+            continue;
+        }
+        if (!inside || lines[i].empty() || lines[i][0] == '#') continue;
+        const std::size_t code = lines[i].find("# exit ");
+        commands.push_back(
+            {lines[i], code == std::string::npos ? 0 : std::stoi(lines[i].substr(code + 7)), int(i) + 1});
+    }
+    return commands;
+}
+
+std::string made(const fs::path& root, const Block& block) {
+    if (block.kind == "listing") return listing(root, block.what);
+    if (block.kind == "diff") return diff(root, block.what);
+    if (block.kind == "gallery") return gallery(root, block.what);
+    throw Error(block.kind + ": needs its command to be run");
+}
+
+std::string fenced(const std::string& output) {
+    return "```text\n" + without_blank_ends(output) + (output.ends_with('\n') ? "" : "\n") + "```\n";
+}
+
+std::string woven(const std::string& page, const std::string& path,
+                  const std::function<std::string(const Block&, const std::string&)>& fill) {
+    const std::vector<std::string> lines = lines_of(page);
+    std::string result;
+    std::size_t next = 0;
+    const auto copy = [&](std::size_t end) {
+        std::string copied;
+        for (; next < end; ++next) copied += lines[next] + '\n';
+        return copied;
+    };
+    for (const Block& block : find_blocks(lines, path)) {
+        result += copy(block.begin);
+        const std::string now = copy(block.end);
+        try {
+            result += fill(block, now);
+        } catch (const Error& error) {
+            complain(path, block.begin - 1, error.what());
+        }
+    }
+    return result + copy(lines.size());
+}
+
+} // namespace rt
