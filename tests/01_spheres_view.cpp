@@ -67,8 +67,16 @@ TEST_CASE("the hits view counts the surfaces along the ray") {
     CHECK(surfaces_crossed(row, Ray{{0, 0, 0}, {0, 0, -1}, 0, 6.5f}, 100) == 3);
 }
 
+TEST_CASE("heat goes from black over red and yellow to white") {
+    CHECK(heat(0) == vec3(0));
+    CHECK(heat(1.0f / 6) == approx(vec3(0.5f, 0, 0)));
+    CHECK(heat(0.5f) == approx(vec3(1, 0.5f, 0)));
+    CHECK(heat(0.9f) == approx(vec3(1, 1, 0.7f)));
+    CHECK(heat(1.5f) == vec3(1));
+}
+
 TEST_CASE("a view is black where a ray meets nothing") {
-    for (const View view : {View::normal, View::depth, View::uv, View::material, View::hits})
+    for (const View view : {View::normal, View::depth, View::uv, View::material, View::hits, View::work})
         CHECK(what_is_hit(Scene{}, Ray{{0, 0, 0}, {0, 0, -1}}, view, 1) == vec3(0));
 }
 

@@ -1,5 +1,6 @@
 // A binary tree never changes what a ray meets, and saves nearly all of the work. Every random ray has a
 // fixed seed, so these checks pass or fail for good.
+#include "01_spheres/view.h"
 #include "05_mesh_bvh/scene.h"
 #include "common/random.h"
 #include "tests/05_mesh_bvh.h"
@@ -115,6 +116,16 @@ TEST_CASE("the tree finds what asking every sphere finds, alone and among triang
     add(scene, random_triangles(500, 0.2f), 40);
     prepare(scene);
     check_tree_changes_nothing(scene, {vec3(0), vec3(1)}, 2000);
+}
+
+TEST_CASE("the work view counts what is tested: every triangle by brute force, few by a tree") {
+    const Scene scene = scene_of(random_triangles(2000, 0.2f));
+    const Ray ray{{-1, 0.4f, 0.3f}, {2, 0.1f, 0.3f}};
+    const vec3 brute = what_is_hit(with(scene, Accel::brute), ray, View::work, 1);
+    CHECK(brute == approx(heat(std::log2(2001.0f) / 16)));
+    const vec3 tree = what_is_hit(with(scene, Accel::bvh), ray, View::work, 1);
+    CHECK(tree.x > 0);
+    CHECK(dot(tree, vec3(1)) < 0.7f * dot(brute, vec3(1))); // 11 doublings against 6
 }
 
 TEST_CASE("among 2,000 random triangles a ray asks about 10 of them") {
