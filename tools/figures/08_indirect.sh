@@ -1,0 +1,44 @@
+# Makes the figures of chapter 08: the room without indirect light, the furnace before and after the bounce, three ways to
+# look for lamps at equal samples, and the plot of error against time, whose data `./learn bench convergence` measures.
+# shellcheck shell=bash
+source "$ROOT/tools/figures/common.sh"
+
+picture 08_no_indirect 08_indirect --no-indirect --width 360 --height 360
+for way in bounces lights mis; do
+    picture 08_$way 08_indirect --direct $way --samples 8 --width 240 --height 240
+done
+
+echo "docs/figures/08_furnace.png: 08_indirect --scene furnace --width 300 --height 300 --samples 4, with --depth 0 and 1"
+for depth in 0 1; do
+    "$BUILD/bin/08_indirect" --quiet --scene furnace --depth $depth --width 300 --height 300 --samples 4 \
+        --out "$made/depth $depth.png"
+done
+"$BUILD/bin/contact_sheet" "$figures/08_furnace.png" "$made/depth 0.png" "$made/depth 1.png"
+
+# The benchmark is built by `./learn bench`; without it the plot is drawn from the numbers that are there.
+bench=$ROOT/build/bench/bin/bench_convergence
+[ -x "$BUILD/bin/bench_convergence" ] && bench=$BUILD/bin/bench_convergence
+flags=(--scenes room --size 64 --most 128 --truth 4096 --repeats 2)
+# The relative error leaves out the worst thousandth of the pixels: the rim of the lamp and rare bright dots would decide.
+curve() { # curve COLOUR DASHES ESTIMATOR SAMPLER
+    echo "curve $1 $2 $3, $4"
+    tr '{' '\n' <"$made/08_noise.json" | grep "\"$3\"" | grep "\"$4\"" |
+        sed -n 's/.*"seconds": *\([-0-9.e]*\),.*"relative_mse": *\([-0-9.e]*\).*/\1 \2/p' | awk '{ print $1, sqrt($2) }'
+}
+if [ -x "$bench" ]; then
+    "$bench" "${flags[@]}" --json "$made/08_noise.json" --plots "$made" >"$made/08_noise.md"
+    {
+        echo "# Measured by tools/figures/08_indirect.sh: bench_convergence ${flags[*]}"
+        grep '^|' "$made/08_noise.md" | sed 's/^/# /'
+        echo "title Error against time in the room, for each way to look for light"
+        echo "x processor seconds"
+        echo "y relative error, without the worst thousandth"
+        curve 0 solid MIS sobol
+        curve 0 dashed MIS random
+        curve 2 dashed lights random
+        curve 4 dashed bounces random
+        curve 1 dashed book random
+    } >"$made/08_errors.txt"
+    cp "$made/08_errors.txt" "$figures/08_noise.txt"
+fi
+plot 08_noise "$figures/08_noise.txt"
