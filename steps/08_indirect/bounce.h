@@ -24,7 +24,7 @@ inline Tangents tangents(vec3 normal) {
 
 /// A unit direction above the surface, likelier the closer to the unit normal: density cos(theta) / pi. A
 /// uniform point of the unit disk is lifted onto the half-sphere above it (Malley; Pharr, Jakob, Humphreys,
-/// PBR, 13.6.3). u in [0, 1)^2.
+/// PBR, 3rd edition, 13.6.3). u in [0, 1)^2.
 inline vec3 cosine_direction(vec3 normal, vec2 u) {
     //> radius sqrt(u.x) and an angle make the point of the disk; Pythagoras makes its height
     const float radius = std::sqrt(u.x);

@@ -11,7 +11,7 @@ picture() {
     local name=$1 step=$2
     shift 2
     echo "docs/figures/$name.png: $step $*"
-    "$BUILD/bin/$step" --quiet --out "$made/$name" "$@"
+    "$BUILD/bin/$step" --quiet --out "$made/$name" "$@" >"$made/said.txt"
     cp "$made/$name.png" "$figures/$name.png"
 }
 

@@ -45,6 +45,18 @@ struct Report {
 
 constexpr rt::RunLimits patience{.seconds = 600};
 
+/// Without what differs from clone to clone: where the project lies, and how long it took to build.
+std::string without_place(const std::string& root, const std::string& output) {
+    std::string result;
+    for (std::string line : rt::lines_of(output)) {
+        if (line.starts_with("building...")) continue;
+        for (std::size_t at; (at = line.find(root + "/")) != std::string::npos;)
+            line.erase(at, root.size() + 1);
+        result += line + '\n';
+    }
+    return result;
+}
+
 /// What a command says on its standard output. Throws Error if its code is not 0.
 std::string output_of(const Wishes& wishes, const std::string& command) {
     const fs::path said =
@@ -55,7 +67,7 @@ std::string output_of(const Wishes& wishes, const std::string& command) {
     fs::remove(said);
     if (ended.code != 0)
         throw rt::Error("`" + command + "` ends with code " + std::to_string(ended.code) + ":\n" + output);
-    return output;
+    return without_place(wishes.root, output);
 }
 
 bool is_run(const rt::Block& block) {
@@ -88,19 +100,8 @@ void check(const Wishes& wishes, const std::string& page, Report& report) {
     for (const std::string& line : rt::dead_links(wishes.root, text, page)) report.complain(line);
 }
 
-/// Runs what the page tells its reader to type, and holds the output that it shows against what comes.
-void run_commands(const Wishes& wishes, const std::string& page, Report& report) {
-    const std::string text = rt::read_file((fs::path(wishes.root) / page).string());
-    for (const rt::Command& command : rt::find_commands(rt::lines_of(text))) {
-        const fs::path said = fs::temp_directory_path() / "weave.command.txt";
-        std::cout << page << ":" << command.number << ": " << command.line << std::endl;
-        const rt::Ended ended = rt::run_process(
-            {"/bin/bash", "-c", "cd '" + wishes.root + "' && " + command.line}, said, patience);
-        if (ended.code != command.code || ended.too_long)
-            report.complain(page + ":" + std::to_string(command.number) + ": ends with code " +
-                            std::to_string(ended.code) + ", not " + std::to_string(command.code) + ":\n" +
-                            rt::read_file(said.string()));
-    }
+/// Holds the output that the page shows against what comes.
+void run_outputs(const Wishes& wishes, const std::string& page, const std::string& text, Report& report) {
     rt::woven(text, page, [&](const rt::Block& block, const std::string& now) {
         if (!is_run(block)) return now;
         std::cout << page << ":" << block.begin << ": " << block.what << std::endl;
@@ -110,6 +111,27 @@ void run_commands(const Wishes& wishes, const std::string& page, Report& report)
                             fresh);
         return now;
     });
+}
+
+/// Runs what the page shows, and then what it tells its reader to type: from an empty workshop, and leaves it empty.
+void run_commands(const Wishes& wishes, const std::string& page, Report& report) {
+    const std::string text = rt::read_file((fs::path(wishes.root) / page).string());
+    const fs::path workshop = fs::path(wishes.root) / "workshop",
+                   said = fs::temp_directory_path() / "weave.command.txt";
+    if (fs::exists(workshop))
+        throw rt::Error(
+            "workshop/ is there: what stands in it would change what the commands say; move it away");
+    run_outputs(wishes, page, text, report);
+    for (const rt::Command& command : rt::find_commands(rt::lines_of(text))) {
+        std::cout << page << ":" << command.number << ": " << command.line << std::endl;
+        const rt::Ended ended = rt::run_process(
+            {"/bin/bash", "-c", "cd '" + wishes.root + "' && " + command.line}, said, patience);
+        if (ended.code != command.code || ended.too_long)
+            report.complain(page + ":" + std::to_string(command.number) + ": ends with code " +
+                            std::to_string(ended.code) + ", not " + std::to_string(command.code) + ":\n" +
+                            rt::read_file(said.string()));
+    }
+    fs::remove_all(workshop);
 }
 
 int answer(const Wishes& wishes) {

@@ -69,8 +69,12 @@ std::string cell(const std::string& text) {
     return safe;
 }
 
+/// Begins with a capital, unless the first word is a formula ("d.n is negative").
 std::string sentence(std::string text) {
-    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = char(text[0] - 'a' + 'A');
+    const auto is_small = [](char c) { return c >= 'a' && c <= 'z'; };
+    const std::string word = text.substr(0, text.find_first_of(" ,'"));
+    const bool plain = !word.empty() && std::ranges::all_of(word, is_small);
+    if (plain && (word.size() > 1 || word == "a")) text[0] = char(text[0] - 'a' + 'A');
     if (!text.empty() && text.back() != '.') text += '.';
     return text;
 }
