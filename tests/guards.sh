@@ -19,15 +19,10 @@ report() { # $1: the rule; stdin: the lines that break it
 
 # 1: a step includes common, itself and earlier steps.
 guard_order() {
-    includes steps | grep '"' | while IFS= read -r line; do
-        own=$(expr "$line" : 'steps/\([0-9][0-9]\)_')
-        header=${line#*:\"}
-        case $header in
-            common/*) ;;
-            [0-9][0-9]_*/*) [ "${header%%_*}" \> "${own:-00}" ] && echo "$line" ;;
-            *) echo "$line" ;;
-        esac
-    done | report "a step includes only common, itself and earlier steps"
+    includes steps | awk -F'"' '
+        NF < 3 || $2 ~ /^common\// { next }
+        $2 ~ /^[0-9][0-9]_[^\/]*\// && substr($2, 1, 2) <= substr($1, 7, 2) { next } # $1 is steps/03_mirror/...
+        { print }' | report "a step includes only common, itself and earlier steps"
 }
 
 # 2: common includes common.
@@ -60,16 +55,16 @@ guard_rooted() {
 
 # 5: each file says what it is for, in its first line; a header is included once.
 guard_opening() {
-    local room file
+    local existing=() room
     for room in $rooms; do
-        find "$room" -type f \( -name '*.h' -o -name '*.cpp' \) 2>/dev/null
-    done | while IFS= read -r file; do
-        head -n 1 "$file" | grep -qE '^// .*[A-Za-z]' ||
-            echo "a file's first line says what it is for (// ...): $file"
-        case $file in
-            *.h) grep -q '^#pragma once' "$file" || echo "a header says #pragma once: $file" ;;
-        esac
+        [ -d "$room" ] && existing+=("$room")
     done
+    {
+        find "${existing[@]}" -type f \( -name '*.h' -o -name '*.cpp' \) -size 0
+        find "${existing[@]}" -type f \( -name '*.h' -o -name '*.cpp' \) -exec \
+            awk 'FNR == 1 && !/^\/\/ .*[A-Za-z]/ { print FILENAME }' {} +
+    } | report "a file's first line says what it is for (// ...)"
+    find "${existing[@]}" -type f -name '*.h' -exec grep -L '^#pragma once' {} + | report "a header says #pragma once"
 }
 
 check() { # $1: the folder

@@ -204,9 +204,9 @@ Verdict verdict(const TileDifference& d) {
         words << "same picture up to noise (" << d.tiles << " tiles, largest z " << d.largest_z << ")";
     } else {
         words << "different: " << d.alarms << " of " << d.tiles
-              << " tiles differ by more than noise explains (at most " << allowed << "), largest z "
-              << d.largest_z << " at " << d.x << "," << d.y << ", " << change_in_words(d.test, d.reference)
-              << " there";
+              << " tiles differ by more than noise explains (at most " << allowed << ", and none beyond z "
+              << limits.never_z << "), largest z " << d.largest_z << " at " << d.x << "," << d.y << ", "
+              << change_in_words(d.test, d.reference) << " there";
     }
     return {same, words.str()};
 }

@@ -9,8 +9,8 @@
 namespace rt {
 
 /// Rays that leave a surface start this share of the largest coordinate away from it: a float carries 24
-/// bits, and a few of the last are lost between a ray's origin and its hit. It is the only epsilon of the
-/// project.
+/// bits, and a few of the last are lost between a ray's origin and its hit. No other number
+/// moves a ray.
 inline constexpr float epsilon = 0x1p-17f;
 
 /// How far a point may be off that was found along a ray from `origin`.

@@ -68,7 +68,7 @@ void prefetch(const WideBvh<Block>& bvh, std::uint32_t child) {
 struct WideRay {
     Row origin[3];
     Row inverse[3];     ///< 1 / direction; plus or minus infinity along an axis where the ray stands still
-    Row inverse_out[3]; ///< the same but for two roundings, as in entry() of box.h
+    Row inverse_out[3]; ///< larger by four roundings: exits move out, as in entry() of box.h
     std::uintptr_t near[3];
     Row t_min;
 };

@@ -12,7 +12,7 @@ namespace rt {
 
 enum class Filter { box, tent, gaussian };
 
-/// A coordinate in (-1, 1) with density 1 - |x|, from a uniform u in [0, 1): the inverse of its cumulative
+/// A coordinate in [-1, 1) with density 1 - |x|, from a uniform u in [0, 1): the inverse of its cumulative
 /// distribution.
 inline float tent(float u) {
     //> the left half rises as a square, the right half mirrors it

@@ -10,12 +10,13 @@ namespace rt {
 
 struct Metal {
     vec3 albedo;    ///< the share of the light that comes back, in [0, 1]
-    float fuzz = 0; ///< in [0, 1]: 0 is a tinted mirror, 1 strays by up to half a turn
+    float fuzz = 0; ///< in [0, 1]: 0 is a tinted mirror, 1 strays by up to a quarter turn
 };
 
-/// The ray that a metal sends on: mirrored, then moved to a random point of the ball of radius `fuzz` around
-/// where it pointed (Shirley 2016, Ray Tracing in One Weekend). Nothing if it then points into the surface:
-/// such light is lost. A model by its looks, not by measurement. u in [0, 1)^2.
+/// The ray that a metal sends on: mirrored, then moved to a random point on the sphere of radius `fuzz` around
+/// where it pointed (Shirley, Black, Hollasch, Ray Tracing in One Weekend, version 4, section 10.6). Nothing
+/// if it then points into the surface: such light is lost. A model by its looks, not by measurement. u in
+/// [0, 1)^2.
 inline std::optional<Ray> metal_ray(const Metal& metal, const Ray& ray, const Hit& hit, vec2 u) {
     //> the mirrored direction at unit length, plus fuzz times a random unit vector, if it leaves the surface
     const vec3 mirrored = normalize(reflect(ray.direction, hit.normal));

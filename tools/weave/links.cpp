@@ -5,8 +5,8 @@
 #include "tools/tutor/exercises.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
-#include <regex>
 #include <set>
 
 namespace rt {
@@ -59,28 +59,54 @@ bool is_there(const fs::path& page_path, const std::string& page, const std::str
     return anchors_of(file.empty() ? page : read_file(path.string())).contains(target.substr(hash + 1));
 }
 
-std::vector<std::string> found(const std::string& line, const std::regex& pattern) {
+/// What stands in the line between `open` and the next `close`, each time.
+std::vector<std::string> between(const std::string& line, const std::string& open, char close) {
     std::vector<std::string> all;
-    for (std::sregex_iterator it(line.begin(), line.end(), pattern), end; it != end; ++it)
-        all.push_back((*it)[1]);
+    for (std::size_t at = 0; (at = line.find(open, at)) != std::string::npos;) {
+        at += open.size();
+        const std::size_t end = line.find(close, at);
+        if (end == std::string::npos) break;
+        all.push_back(line.substr(at, end - at));
+    }
     return all;
+}
+
+/// What stands in backquotes.
+std::vector<std::string> code_in(const std::string& line) {
+    std::vector<std::string> all;
+    for (std::size_t at = 0; (at = line.find('`', at)) != std::string::npos;) {
+        const std::size_t end = line.find('`', ++at);
+        if (end == std::string::npos) break;
+        all.push_back(line.substr(at, end - at));
+        at = end + 1;
+    }
+    return all;
+}
+
+/// steps/03_mirror/mirror.h, and not steps/NN_name/*.h or a command.
+bool is_project_path(const std::string& code) {
+    constexpr std::array rooms{"steps/",    "common/", "tests/",  "tools/", "docs/",
+                               "mistakes/", "hints/",  "assets/", "cmake/"};
+    const auto is_plain = [](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.' || c == '/' ||
+               c == '-';
+    };
+    return std::ranges::any_of(rooms, [&](const char* room) { return code.starts_with(room); }) &&
+           std::ranges::all_of(code, is_plain) && code.find("NN") == std::string::npos;
 }
 
 } // namespace
 
 std::vector<std::string> dead_links(const fs::path& root, const std::string& page, const std::string& path) {
-    static const std::regex link(R"(\]\(([^)\s]+)\))");
-    static const std::regex project_path(
-        R"(`((?:steps|common|tests|tools|docs|mistakes|hints|assets|cmake)/[A-Za-z0-9_./-]*)`)");
     std::vector<std::string> dead;
     outside_of_code(page, [&](const std::string& line, std::size_t number) {
         const std::string where = path + ":" + std::to_string(number) + ": ";
-        for (const std::string& target : found(line, link))
+        for (const std::string& target : between(line, "](", ')'))
             if (!target.starts_with("http") && !is_there(root / path, page, target))
                 dead.push_back(where + target + " is not there");
-        for (const std::string& name : found(line, project_path))
-            if (name.find("NN") == std::string::npos && !fs::exists(root / name))
-                dead.push_back(where + "`" + name + "` is not there");
+        for (const std::string& code : code_in(line))
+            if (is_project_path(code) && !fs::exists(root / code))
+                dead.push_back(where + "`" + code + "` is not there");
     });
     return dead;
 }

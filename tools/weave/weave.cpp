@@ -72,7 +72,7 @@ std::string cell(const std::string& text) {
 /// Begins with a capital, unless the first word is a formula ("d.n is negative").
 std::string sentence(std::string text) {
     const auto is_small = [](char c) { return c >= 'a' && c <= 'z'; };
-    const std::string word = text.substr(0, text.find_first_of(" ,'"));
+    const std::string word = text.substr(0, text.find_first_of(" ,:;'-"));
     const bool plain = !word.empty() && std::ranges::all_of(word, is_small);
     if (plain && (word.size() > 1 || word == "a")) text[0] = char(text[0] - 'a' + 'A');
     if (!text.empty() && text.back() != '.') text += '.';
@@ -83,7 +83,7 @@ std::string row(const fs::path& root, const Mistake& mistake) {
     const std::string picture = "mistakes/" + mistake.step + "/" + mistake.id + ".png";
     const bool seen = fs::exists(root / picture);
     return "| " +
-           (seen ? "![" + cell(mistake.title) + "](../" + picture + ")" : std::string("no pixel changes")) +
+           (seen ? "![" + cell(mistake.title) + "](../" + picture + ")" : std::string("*not seen in this scene*")) +
            " | **" + cell(sentence(mistake.title)) + "** " +
            (seen ? cell(sentence(mistake.shows)) + " " : "") + "*Why:* " + cell(sentence(mistake.why)) +
            " *Mend it:* " + cell(mistake.fix) + " |\n";
