@@ -187,7 +187,7 @@ void warn_not_finite(const std::string& program, const Film& film) {
     std::cerr << program + ": warning: " + std::to_string(film.not_finite) +
                      (film.not_finite == 1 ? " sample is" : " samples are") +
                      " not finite, the first at pixel " + std::to_string(film.first_x) + "," +
-                     std::to_string(film.first_y) + " sample " + std::to_string(film.first_sample) +
+                     std::to_string(film.first_y) + " sample " + std::to_string(film.first_sample + 1) +
                      ": their pixels are magenta\n"
               << std::flush;
 }

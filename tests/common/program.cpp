@@ -278,7 +278,7 @@ TEST_CASE("samples that are not finite are told of, in quiet runs too, and their
                                return rt::vec3(sick ? std::numeric_limits<float>::quiet_NaN() : 0.25f);
                            }));
     CHECK(result.code == 0);
-    CHECK(result.err == "00_test: warning: 3 samples are not finite, the first at pixel 3,2 sample 1: their "
+    CHECK(result.err == "00_test: warning: 3 samples are not finite, the first at pixel 3,2 sample 2: their "
                         "pixels are magenta\n");
     CHECK(rt::read_image(folder / "p.png")(3, 2) == rt::vec3(1, 0, 1));
     CHECK(rt::read_image(folder / "p.png")(2, 2).y > 0.2f);
