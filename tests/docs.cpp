@@ -152,6 +152,33 @@ TEST_CASE("Listings, diffs and galleries are made from files, and complain of wh
     std::filesystem::remove_all(root);
 }
 
+TEST_CASE("A page counts as changed if its commands do, or steps that it can use, but not for its prose or "
+          "later steps") {
+    const std::filesystem::path root = std::filesystem::temp_directory_path() / "raysteps_key_check";
+    const auto write = [&](const std::string& name, const std::string& text) {
+        std::filesystem::create_directories((root / name).parent_path());
+        std::ofstream(root / name) << text;
+    };
+    write("learn", "a script");
+    write("steps/01_a/a.h", "1");
+    write("steps/02_b/b.h", "2");
+    write("docs/01_a.md", "Prose.\n```sh\n./learn run 01\n```\n");
+    const std::string key = page_key(root, "docs/01_a.md");
+    write("docs/01_a.md", "Other prose.\n\n```sh\n./learn run 01\n```\n");
+    write("steps/02_b/b.h", "3");
+    CHECK(page_key(root, "docs/01_a.md") == key);
+    write("docs/01_a.md", "Prose.\n```sh\n./learn run 02\n```\n");
+    CHECK(page_key(root, "docs/01_a.md") != key);
+    write("docs/01_a.md",
+          "Prose.\n```sh\n./learn run 01\n```\n<!-- output: ls -->\n```text\na\n```\n<!-- end -->\n");
+    CHECK(page_key(root, "docs/01_a.md") != key);
+    write("docs/01_a.md", "Prose.\n```sh\n./learn run 01\n```\n");
+    CHECK(page_key(root, "docs/01_a.md") == key);
+    write("steps/01_a/a.h", "4");
+    CHECK(page_key(root, "docs/01_a.md") != key);
+    std::filesystem::remove_all(root);
+}
+
 TEST_CASE("Dead links, dead pictures, dead headings and dead paths are found, with their lines") {
     const std::filesystem::path root = std::filesystem::temp_directory_path() / "raysteps_links_check";
     std::filesystem::create_directories(root / "docs");

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <exception>
 #include <iostream>
+#include <map>
 
 namespace {
 
@@ -21,7 +22,7 @@ namespace fs = std::filesystem;
 struct Wishes {
     std::string root = ".";
     std::vector<std::string> pages;
-    bool check = false, commands = false, outputs = false;
+    bool check = false, commands = false, changed = false, outputs = false;
 };
 
 /// The pages' paths from the root: all of docs/ and the README, unless some are named.
@@ -134,13 +135,48 @@ void run_commands(const Wishes& wishes, const std::string& page, Report& report)
     fs::remove_all(workshop);
 }
 
+/// docs/ran.txt: of each page, the key of what was run when all of it held.
+std::map<std::string, std::string> noted_keys(const Wishes& wishes) {
+    std::map<std::string, std::string> keys;
+    const fs::path path = fs::path(wishes.root) / "docs" / "ran.txt";
+    if (!fs::exists(path)) return keys;
+    for (const std::string& line : rt::lines_of(rt::read_file(path.string())))
+        if (const std::size_t blank = line.find(' '); !line.starts_with("#") && blank != std::string::npos)
+            keys[line.substr(0, blank)] = line.substr(blank + 1);
+    return keys;
+}
+
+void note_keys(const Wishes& wishes, const std::map<std::string, std::string>& keys) {
+    std::string text =
+        "# Of each page, the key of what ./learn weave --commands ran when all of it held: its commands and "
+        "outputs,\n# ./learn, and the steps. Read by ./learn weave --commands --changed.\n";
+    for (const auto& [page, key] : keys) text += page + " " + key + "\n";
+    rt::write_file((fs::path(wishes.root) / "docs" / "ran.txt").string(), text);
+}
+
+/// The commands of the pages: of all, or of those that are not as they were when they ran well.
+int run_all_commands(const Wishes& wishes) {
+    std::map<std::string, std::string> keys = noted_keys(wishes);
+    bool all_is_true = true;
+    for (const std::string& page : pages_of(wishes)) {
+        const std::string key = rt::page_key(wishes.root, page);
+        if (wishes.changed && keys[page] == key) continue;
+        Report report;
+        run_commands(wishes, page, report);
+        all_is_true = all_is_true && report.all_is_true;
+        if (wishes.changed || !report.all_is_true) continue;
+        keys[page] = key;
+        note_keys(wishes, keys);
+    }
+    return all_is_true ? 0 : 1;
+}
+
 int answer(const Wishes& wishes) {
+    if (wishes.commands) return run_all_commands(wishes);
     Report report;
     for (const std::string& page : pages_of(wishes)) {
         if (wishes.check)
             check(wishes, page, report);
-        else if (wishes.commands)
-            run_commands(wishes, page, report);
         else
             weave(wishes, page);
     }
@@ -161,6 +197,9 @@ int main(int argc, char** argv) {
     CLI::Option* const commands_flag = app.add_flag(
         "--commands", wishes.commands,
         "writes nothing: runs every command of the pages, and compares the output that they show");
+    app.add_flag("--changed", wishes.changed,
+                 "with --commands: leaves out the pages that ran well as they are (docs/ran.txt)")
+        ->needs(commands_flag);
     app.add_flag("--outputs", wishes.outputs,
                  "runs the commands of all outputs anew, not only of those that are empty")
         ->excludes(check_flag)

@@ -5,6 +5,7 @@
 #include "common/file_bytes.h"
 #include "tools/tutor/catalogue.h"
 #include "tools/tutor/exercises.h"
+#include "tools/tutor/hash.h"
 #include "tools/tutor/line_diff.h"
 #include "tools/weave/region.h"
 
@@ -83,7 +84,8 @@ std::string row(const fs::path& root, const Mistake& mistake) {
     const std::string picture = "mistakes/" + mistake.step + "/" + mistake.id + ".png";
     const bool seen = fs::exists(root / picture);
     return "| " +
-           (seen ? "![" + cell(mistake.title) + "](../" + picture + ")" : std::string("*not seen in this scene*")) +
+           (seen ? "![" + cell(mistake.title) + "](../" + picture + ")"
+                 : std::string("*not seen in this scene*")) +
            " | **" + cell(sentence(mistake.title)) + "** " +
            (seen ? cell(sentence(mistake.shows)) + " " : "") + "*Why:* " + cell(sentence(mistake.why)) +
            " *Mend it:* " + cell(mistake.fix) + " |\n";
@@ -146,6 +148,27 @@ std::vector<Command> find_commands(const std::vector<std::string>& lines) {
             {lines[i], code == std::string::npos ? 0 : std::stoi(lines[i].substr(code + 7)), int(i) + 1});
     }
     return commands;
+}
+
+std::string page_key(const fs::path& root, const std::string& page) {
+    const std::vector<std::string> lines = lines_of(read_file((root / page).string()));
+    const std::string name = fs::path(page).filename().string();
+    const std::string last = name[0] == '0' ? name.substr(0, 2) : "99";
+    Hash hash;
+    for (const Command& command : find_commands(lines)) hash.add(command.line);
+    for (const Block& block : find_blocks(lines, page)) {
+        if (block.kind != "output" && block.kind != "measured") continue;
+        hash.add(block.what);
+        for (std::size_t i = block.begin; block.kind == "output" && i < block.end; ++i) hash.add(lines[i]);
+    }
+    hash.add(read_file((root / "learn").string()));
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::recursive_directory_iterator(root / "steps"))
+        if (entry.is_regular_file() && entry.path().parent_path().filename().string().substr(0, 2) <= last)
+            files.push_back(entry.path());
+    std::ranges::sort(files);
+    for (const fs::path& file : files) hash.add(read_file(file.string()));
+    return hash.text();
 }
 
 std::string made(const fs::path& root, const Block& block) {

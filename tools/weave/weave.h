@@ -30,6 +30,10 @@ struct Command {
 /// The lines of all blocks of ```sh.
 std::vector<Command> find_commands(const std::vector<std::string>& lines);
 
+/// A hash of all that decides what the commands of a page do, but for what is behind them: the commands and outputs that it
+/// shows, ./learn, and the steps up to the page's own, or all of them for an appendix.
+std::string page_key(const std::filesystem::path& root, const std::string& page);
+
 /// What shall stand in a block of a kind that needs no command to be run: fences and all. Throws Error.
 std::string made(const std::filesystem::path& root, const Block& block);
 
