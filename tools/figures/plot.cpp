@@ -68,8 +68,7 @@ LogPlot plot_from(const std::string& name, const std::string& text) {
     LogPlot plot;
     std::istringstream lines(text);
     std::string line;
-    for (int number = 1; std::getline(lines, line); ++number)
-        try {
+    for (int number = 1; std::getline(lines, line); ++number) try {
             read_line(plot, line);
         } catch (const rt::Error& error) {
             throw rt::Error(name + ", line " + std::to_string(number) + ": " + error.what());
