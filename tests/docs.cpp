@@ -56,22 +56,22 @@ inline int meet(const Shapes& shapes, int t) {
 } // namespace rt
 )";
 
-std::string complaint_of(const std::string& name) {
+template <typename Action>
+std::string complaint(const Action& action) {
     try {
-        region(source, name, "steps/x.h");
+        action();
     } catch (const Error& error) {
         return error.what();
     }
     return "";
 }
 
+std::string complaint_of(const std::string& name) {
+    return complaint([&] { region(source, name, "steps/x.h"); });
+}
+
 std::string complaint_in(const std::vector<std::string>& lines) {
-    try {
-        find_blocks(lines, "docs/x.md");
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "";
+    return complaint([&] { find_blocks(lines, "docs/x.md"); });
 }
 
 } // namespace
