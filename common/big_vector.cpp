@@ -10,14 +10,14 @@
 namespace rt {
 namespace {
 
-constexpr std::size_t cache_line = 64;
+constexpr std::size_t widest_border = 128;
 constexpr std::size_t huge_page = std::size_t(2) << 20;
 
 bool in_huge_pages(std::size_t bytes) {
     return bytes >= huge_page / 2;
 }
 std::size_t border(std::size_t bytes) {
-    return in_huge_pages(bytes) ? huge_page : cache_line;
+    return in_huge_pages(bytes) ? huge_page : widest_border;
 }
 
 } // namespace

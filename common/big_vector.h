@@ -10,7 +10,7 @@
 
 namespace rt {
 
-/// Memory on a border of 64 bytes; from 1 MB on, of 2 MB, in whole huge pages if the system gives any. Throws
+/// Memory on a border of 128 bytes; from 1 MB on, of 2 MB, in whole huge pages if the system gives any. Throws
 /// std::bad_alloc.
 void* big_allocate(std::size_t bytes);
 void big_free(void* memory, std::size_t bytes) noexcept;
@@ -18,6 +18,7 @@ void big_free(void* memory, std::size_t bytes) noexcept;
 template <typename T>
 struct BigAllocator {
     using value_type = T;
+    static_assert(alignof(T) <= 128);
     BigAllocator() = default;
     template <typename U>
     BigAllocator(const BigAllocator<U>&) noexcept {}

@@ -12,7 +12,7 @@ namespace {
 
 const vec3 a = {1, -2, 3}, b = {3, 1, 4}, c = {-1, 2, 6}; // a skew triangle
 
-/// A mesh of at most eight triangles, which one block of the wide tree holds: so these checks need no
+/// A mesh of at most four triangles, which one block of the wide tree holds: so these checks need no
 /// tree and nothing of triangle.h.
 struct Scene {
     Mesh mesh;
@@ -28,10 +28,10 @@ std::optional<Hit> intersect(const Scene& scene, Ray ray) {
     TriangleBlock block{};
     for (std::uint32_t i = 0; i < scene.mesh.triangles.size(); ++i)
         put(block, int(i), corners(scene.mesh, i), i);
-    const BlockHits hits = intersect(block, block_ray(ray), row(ray.t_min), row(ray.t_max));
+    const BlockHits hits = intersect(block, TriangleBlock::prepare(ray), row(ray.t_min), row(ray.t_max));
     std::optional<MeshHit> nearest;
     for (std::uint32_t i = 0; i < lanes; ++i) {
-        if (!(bits(hits.hit) >> i & 1) || hits.t[i] > ray.t_max) continue;
+        if (!(hits.hit >> i & 1) || hits.t[i] > ray.t_max) continue;
         ray.t_max = hits.t[i];
         nearest = MeshHit{&scene.mesh, i, hits.u[i], hits.v[i]};
     }

@@ -1,4 +1,4 @@
-// How the tree of eight boxes a node is made: full, shallow, and the same on any number of threads.
+// How the wide tree is made: full, shallow, and the same on any number of threads.
 #include "05_mesh_bvh/wide_build.h"
 #include "common/parallel.h"
 #include "tests/check.h"
@@ -11,7 +11,7 @@ using namespace rt;
 namespace {
 
 /// A tree over the boxes alone: its blocks remember numbers and nothing else.
-struct alignas(64) NumberBlock {
+struct alignas(WideNode) NumberBlock {
     std::array<std::uint32_t, lanes> shape{};
     int count = 0;
 };
@@ -134,18 +134,20 @@ TEST_CASE("nodes are nearly full: the binary tree is folded in the cheapest way"
     const double children = double(tree.nodes + tree.blocks - 1) / double(tree.nodes);
     const double shapes = 20000 / double(tree.blocks);
     INFO(children, " children a node, ", shapes, " shapes a block");
-    CHECK_MESSAGE(children > 5, "3 to 4: nodes are filled from the top without weighing what is left below");
-    CHECK_MESSAGE(shapes > 5, "4: the heuristic counts shapes, where it should count blocks");
+    CHECK_MESSAGE(children > 0.6 * lanes,
+                  "half of that: nodes are filled from the top without weighing what is left below");
+    CHECK_MESSAGE(shapes > 0.6 * lanes,
+                  "half of that: the heuristic counts shapes, where it should count blocks");
 }
 
 TEST_CASE("weights of the fold: a subtree of two leaves takes two places or one node") {
-    const auto weight = [](float area) { return Weight{row(area), Mask{}}; };
+    const auto weight = [](float area) { return Weight{row(area), Mask{}, Mask{} + 1}; };
     const Weight small = weight(3), large = weight(12); // leaves
     BinaryNode node{{vec3(0), vec3(3)}};                // 27
     const Weight parent = weigh(node, small, large);
     CHECK(parent.cost[0] == 3 + 12 + 27);
     CHECK(node.nodes == 1);
-    for (int places = 2; places <= 7; ++places) {
+    for (int places = 2; places < lanes; ++places) {
         CHECK(parent.cost[places - 1] == 3 + 12);
         CHECK_MESSAGE(parent.nodes[places - 1] == 0, "both leaves find room in the node above");
     }
@@ -158,4 +160,25 @@ TEST_CASE("weights of the fold: a subtree of two leaves takes two places or one 
     CHECK(above.nodes[1] == 1);
     CHECK(above.cost[2] == 3 + 12 + 3);
     CHECK(above.nodes[2] == 0);
+    CHECK(above.leaves[2] == 3);
+}
+
+TEST_CASE(
+    "weights of the fold: shapes that fit into one block become one, unless two are cheaper and find room") {
+    const auto weight = [](float area) { return Weight{row(area), Mask{}, Mask{} + 1}; };
+    BinaryNode near{{vec3(0), vec3(3)}, nullptr, 0, lanes}; // 27
+    const Weight together = weigh(near, weight(20), weight(10));
+    for (int places = 1; places < lanes; ++places) {
+        CHECK(together.cost[places - 1] == 27);
+        CHECK(together.leaves[places - 1] == 1);
+        CHECK(together.nodes[places - 1] == 0);
+    }
+    BinaryNode far{{vec3(0), vec3(3)}, nullptr, 0, lanes};
+    const Weight apart = weigh(far, weight(12), weight(3));
+    CHECK_MESSAGE(apart.cost[0] == 27, "in one place they are one block");
+    CHECK(apart.leaves[0] == 1);
+    CHECK(apart.cost[1] == 12 + 3);
+    CHECK(apart.leaves[1] == 2);
+    CHECK(far.share[1] == 1);
+    CHECK((far.nodes == 0 && far.leaves == 1));
 }

@@ -1,4 +1,4 @@
-// The tree of eight boxes a node finds what asking every shape finds, lets no ray slip through, and asks
+// The wide tree finds what asking every shape finds, lets no ray slip through, and asks
 // little.
 #include "05_mesh_bvh/scene.h"
 #include "common/random.h"
@@ -179,7 +179,9 @@ TEST_CASE("among 2,000 random triangles a ray asks few nodes and blocks") {
     const double nodes = double(tally.box_tests) / lanes / rays,
                  blocks = double(tally.triangle_tests) / lanes / rays;
     INFO(nodes, " nodes and ", blocks, " blocks a ray");
-    CHECK_MESSAGE(nodes < 8, "20: nearer children do not come first, or boxes beyond a hit are entered");
+    CHECK_MESSAGE(
+        nodes < 64.0 / lanes,
+        "more than twice that: nearer children do not come first, or boxes beyond a hit are entered");
     CHECK_MESSAGE(blocks < 8, "15: the same, or the cut is a bad one");
     CHECK(blocks > 0.5);
 }

@@ -18,15 +18,15 @@
 
 namespace rt {
 
-/// How a ray looks for what it meets: by asking every shape, by descending a binary tree, or one with eight
-/// boxes a node and eight shapes a leaf.
+/// How a ray looks for what it meets: by asking every shape, by descending a binary tree, or one with rows of
+/// boxes in its nodes and rows of shapes in its leaves.
 enum class Accel { brute, bvh, wide };
 
 inline Choice<Accel> accel_knob(Options& options, Accel initial) {
     return options.choice(
         "accel", {"brute", "bvh", "wide"}, initial,
         "how a ray finds what it meets: ask every shape, descend a tree, or a tree that tests "
-        "eight at once");
+        "many at once");
 }
 
 struct Shapes {

@@ -1,5 +1,5 @@
-// How the wide tree is made: cut in two by the surface area heuristic until eight shapes are left, then fold
-// the binary tree into nodes of eight children in the way that costs a ray least.
+// How the wide tree is made: cut in two by the surface area heuristic until a block's worth of shapes is left,
+// then fold the binary tree into wide nodes in the way that costs a ray least.
 #pragma once
 
 #include "05_mesh_bvh/wide_bvh.h"
@@ -16,22 +16,27 @@
 
 namespace rt {
 
-/// A node of the binary tree. A leaf has no children. If it becomes a child of a wide node, it and all below
+/// A node of the binary tree; a leaf has no children. If it becomes a child of a wide node, it and all below
 /// it become `nodes` wide nodes and `leaves` blocks.
-struct alignas(CacheLine) BinaryNode {
+struct alignas(64) BinaryNode {
     Box box;
     BinaryNode* children = nullptr;     ///< two, side by side
-    std::uint32_t first = 0, count = 0; ///< a leaf's place in the order of the shapes
+    std::uint32_t first = 0, count = 0; ///< if its shapes fit into one block, their place in the order of all
     std::uint32_t nodes = 0, leaves = 1;
-    std::array<std::uint8_t, 7> share{}; ///< how many of k places go to the left child; 0: as with k - 1
+    std::array<std::uint8_t, lanes - 1> share{}; ///< how many of k places go left; 0: as with k - 1
 };
 
-/// In lane k - 1: what folding a subtree costs if it may take k of the eight places of a node above, and how
-/// many wide nodes it becomes. Nothing takes all eight.
+/// In lane k - 1: what folding a subtree costs if it may take k of the places of a node above, and how many
+/// wide nodes and blocks it becomes. Nothing takes all places.
 struct Weight {
     Row cost;
-    Mask nodes;
+    Mask nodes, leaves;
 };
+
+/// That of shapes in one block.
+inline Weight block_weight(const BinaryNode& node) {
+    return {row(half_area(node.box)), Mask{}, Mask{} + 1};
+}
 
 /// What stands `count` lanes before the second row.
 template <typename Lanes>
@@ -43,41 +48,51 @@ Lanes before(const std::array<Lanes, 2>& rows, int count) {
 
 /// Ylitie, Karras and Laine 2017, section 3.2 ("Efficient Incoherent Ray Traversal on GPUs Through Compressed
 /// Wide BVHs"): of all ways to fold the tree, the least sum of areas, since a ray visits a node with a chance
-/// in proportion to its area. With k places a subtree shares them between its children, or takes one as a
-/// node of its own with eight places below. All k at once, as the sharing is the same for each.
+/// in proportion to its area. With k places a subtree shares them between its children, or takes one: as a
+/// block, or as a node of its own with all places below. All k at once, as the sharing is the same for each.
 inline Weight weigh(BinaryNode& node, const Weight& left, const Weight& right) {
     const std::array<Row, 2> right_cost{row(infinity), right.cost};
-    const std::array<Mask, 2> right_nodes{Mask{}, right.nodes};
+    const std::array<Mask, 2> right_nodes{Mask{}, right.nodes}, right_leaves{Mask{}, right.leaves};
     Row cost = row(infinity); // of sharing; this stays, with one place for the left, if all areas overflow
-    Mask nodes = left.nodes[0] + before(right_nodes, 1), share = Mask{} + 1;
+    Mask nodes = left.nodes[0] + before(right_nodes, 1), leaves = left.leaves[0] + before(right_leaves, 1);
+    Mask share = Mask{} + 1;
     for (int places = 1; places < lanes; ++places) { // for the left
         const Row shared = left.cost[places - 1] + before(right_cost, places);
         const Mask better = shared < cost;
         cost = better ? shared : cost;
         nodes = better ? left.nodes[places - 1] + before(right_nodes, places) : nodes;
+        leaves = better ? left.leaves[places - 1] + before(right_leaves, places) : leaves;
         share = better ? Mask{} + places : share;
     }
-    Weight own{row(cost[lanes - 1] + half_area(node.box)), Mask{} + nodes[lanes - 1] + 1};
+    Weight own = block_weight(node);
+    if (node.count == 0)
+        own = {own.cost + cost[lanes - 1], Mask{} + nodes[lanes - 1] + 1, Mask{} + leaves[lanes - 1]};
     node.nodes = std::uint32_t(own.nodes[0]);
+    node.leaves = std::uint32_t(own.leaves[0]);
     node.share[0] = std::uint8_t(share[lanes - 1]);
     for (int k = 1; k < lanes - 1; ++k) {
         const bool better = cost[k] < own.cost[k - 1];
         own.cost[k] = better ? cost[k] : own.cost[k - 1];
         own.nodes[k] = better ? nodes[k] : own.nodes[k - 1];
+        own.leaves[k] = better ? leaves[k] : own.leaves[k - 1];
         node.share[std::size_t(k)] = better ? std::uint8_t(share[k]) : std::uint8_t(0);
     }
     return own;
 }
 
+/// Memory for a node that is not there yet.
+struct alignas(BinaryNode) Slot {
+    std::byte bytes[sizeof(BinaryNode)];
+};
+
 /// Room for the nodes of a subtree: its share of one array and, where a tree is a bad one, more.
 struct Shelf {
-    std::span<CacheLine> free;
-    std::list<BigVector<CacheLine>> more;
+    std::span<Slot> free;
+    std::list<BigVector<Slot>> more;
 
     BinaryNode* two_nodes() {
-        static_assert(sizeof(BinaryNode) == sizeof(CacheLine));
         if (free.size() < 2) free = more.emplace_back(1024);
-        CacheLine* const memory = free.data();
+        Slot* const memory = free.data();
         free = free.subspan(2);
         new (memory + 1) BinaryNode;
         return new (memory) BinaryNode;
@@ -91,12 +106,19 @@ struct Shelf {
     }
 };
 
+/// So many shapes are not cut any further in a tree over `all`. In a small one, which is soon built, these are
+/// half a block: the fold joins them again where that is cheaper.
+constexpr std::size_t uncut(std::size_t all) {
+    return all < 16384 ? lanes / 2 : lanes;
+}
+
 /// Makes the binary tree. The fragments move from one array to the other at each cut; `order` gets their
 /// numbers when they arrive in a leaf.
 struct BinaryBuilder {
     BigVector<std::uint32_t>& order;
     std::array<BigVector<Fragment>, 2> fragments{BigVector<Fragment>(order.size()),
                                                  BigVector<Fragment>(order.size())};
+    const std::size_t few = uncut(order.size());
 
     /// Makes a fragment of each shape; answers the range of all.
     template <typename BoundsOf>
@@ -117,20 +139,20 @@ struct BinaryBuilder {
         return all;
     }
 
-    Weight leaf(BinaryNode& node, const Range& range, const Fragment* from) {
-        for (std::size_t i = range.begin; i < range.end; ++i) order[i] = shape_of(from[i]);
-        node.first = std::uint32_t(range.begin);
-        node.count = std::uint32_t(range.count());
-        return {row(half_area(node.box)), Mask{}};
-    }
-
     /// Makes `node` the tree of the range, which lies in fragments[side].
     Weight build(BinaryNode& node, const Range& range, int side, int depth, Shelf& shelf) {
         node.box = {vec3(range.box.low[0], range.box.low[1], range.box.low[2]),
                     vec3(range.box.high[0], range.box.high[1], range.box.high[2])};
         const Fragment* const from = fragments[std::size_t(side)].data();
         Fragment* const to = fragments[std::size_t(1 - side)].data();
-        if (range.count() <= lanes) return leaf(node, range, from);
+        if (range.count() <= lanes) {
+            node.first = std::uint32_t(range.begin);
+            node.count = std::uint32_t(range.count());
+        }
+        if (range.count() <= few) {
+            for (std::size_t i = range.begin; i < range.end; ++i) order[i] = shape_of(from[i]);
+            return block_weight(node);
+        }
         node.children = shelf.two_nodes();
         const auto ranges = depth >= 48          ? halves(range, from, to)
                             : range.count() < 64 ? cut<8>(range, from, to) // for few half the bins do as well
@@ -147,7 +169,6 @@ struct BinaryBuilder {
             both([&] { build_child(0, shelf); }, [&] { build_child(1, other); });
             shelf.more.splice(shelf.more.end(), other.more);
         }
-        node.leaves = node.children[0].leaves + node.children[1].leaves;
         return weigh(node, weights[0], weights[1]);
     }
 };
@@ -168,7 +189,7 @@ struct Children {
     }
     void fill(const BinaryNode& below, std::size_t places) {
         while (places > 1 && below.share[places - 1] == 0) --places;
-        if (places == 1 || below.count > 0) return insert(below);
+        if (places == 1 || !below.children) return insert(below);
         share(below, places, below.share[places - 1]);
     }
     void insert(const BinaryNode& child) {
@@ -200,11 +221,12 @@ inline WideNode node_around(const Children& children) {
 template <typename Block, typename PutInto>
 struct Folding {
     const BigVector<std::uint32_t>& order;
-    BigVector<CacheLine>& lines;
+    BigVector<Line>& lines;
     const PutInto& put_into;
 
     static std::size_t lines_of(const BinaryNode& node) {
-        return (node.nodes * sizeof(WideNode) + node.leaves * sizeof(Block)) / sizeof(CacheLine);
+        static_assert(sizeof(WideNode) % sizeof(Line) == 0 && sizeof(Block) % sizeof(Line) == 0);
+        return (node.nodes * sizeof(WideNode) + node.leaves * sizeof(Block)) / sizeof(Line);
     }
 
     /// Writes the tree below `node` from `line` on; answers what a WideNode's `child` says of it.
@@ -217,7 +239,7 @@ struct Folding {
         const Children children(node);
         WideNode& wide = *new (&lines[line]) WideNode(node_around(children));
         std::array<std::size_t, lanes + 1> begin; // of each child's lines
-        begin[0] = line + sizeof(WideNode) / sizeof(CacheLine);
+        begin[0] = line + sizeof(WideNode) / sizeof(Line);
         for (std::size_t i = 0; i < children.count; ++i)
             begin[i + 1] = begin[i] + lines_of(*children.node[i]);
         const auto place_some = [&](std::size_t first, std::size_t last) {
@@ -239,7 +261,7 @@ WideBvh<Block> build_wide_bvh(std::size_t count, const BoundsOf& bounds_of, cons
     WideBvh<Block> bvh;
     if (count == 0) return bvh;
     BinaryNode root;
-    BigVector<CacheLine> nodes(count / 2); // more than enough: a leaf holds six shapes or more, as a rule
+    BigVector<Slot> nodes(4 * count / uncut(count)); // more than enough: most leaves are more than half full
     Shelf shelf{nodes, {}};
     BigVector<std::uint32_t> order(count);
     {

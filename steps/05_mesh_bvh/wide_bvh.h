@@ -1,4 +1,4 @@
-// A tree for speed: eight boxes a node and eight shapes a leaf, tested at once. The same idea as in bvh.h;
+// A tree for speed: a row of boxes a node and a row of shapes a leaf, tested at once. The same idea as in bvh.h;
 // what is new is how the numbers lie in memory.
 #pragma once
 
@@ -7,8 +7,8 @@
 #include "common/row.h"
 #include "common/tally.h"
 
+#include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -16,9 +16,9 @@
 
 namespace rt {
 
-/// Eight boxes, axis by axis, low planes before high ones; and what is in them. An empty lane's box is inside
-/// out (low = infinity), so that no ray enters it.
-struct alignas(64) WideNode {
+/// A row of boxes, axis by axis, low planes before high ones; and what is in them. An empty lane's box is
+/// inside out (low = infinity), so that no ray enters it.
+struct alignas(2 * sizeof(Row)) WideNode {
     Row planes[3][2];
     std::array<std::uint32_t, lanes>
         child; ///< the line at which a node begins, or a block with the highest bit set
@@ -30,17 +30,17 @@ constexpr bool is_block(std::uint32_t child) {
     return (child & block_bit) != 0;
 }
 
-/// What memory is fetched by.
-struct alignas(64) CacheLine {
-    std::byte bytes[64];
+/// What memory is counted by.
+struct alignas(WideNode) Line {
+    std::byte bytes[alignof(WideNode)];
 };
 
 /// Nodes and blocks in one array, each beside its parent: what is needed next is near, one pointer reaches
 /// all, and fetching ahead need not know which of the two it fetches. `Block` is TriangleBlock or
-/// SphereBlock, or whatever has an intersect() like theirs.
+/// SphereBlock, or whatever has a prepare() and an intersect() like theirs.
 template <typename Block>
 struct WideBvh {
-    BigVector<CacheLine> lines;        ///< none without shapes
+    BigVector<Line> lines;             ///< none without shapes
     std::uint32_t root = 0;            ///< like a child
     std::size_t nodes = 0, blocks = 0; ///< how many there are
 };
@@ -55,12 +55,13 @@ const Block& block_at(const WideBvh<Block>& bvh, std::uint32_t child) {
     return *reinterpret_cast<const Block*>(bvh.lines.data() + (child & ~block_bit));
 }
 
-/// Starts fetching what a child refers to: by the time it is its turn, it is there.
+/// Starts fetching what a child refers to: by the time it is its turn, it is there. Memory comes in lines of
+/// 64 bytes and often in pairs of them, so where lines are long every other one is enough.
 template <typename Block>
 void prefetch(const WideBvh<Block>& bvh, std::uint32_t child) {
-    const CacheLine* const begin = bvh.lines.data() + (child & ~block_bit);
-    for (std::size_t line = 0; line < sizeof(Block) / sizeof(CacheLine); ++line)
-        __builtin_prefetch(begin + line);
+    const std::byte* const begin = bvh.lines[child & ~block_bit].bytes;
+    for (std::size_t byte = 0; byte < sizeof(Block); byte += std::max(sizeof(Line), std::size_t(64)))
+        __builtin_prefetch(begin + byte);
 }
 
 /// A ray as the nodes want it. `near` tells which planes it meets first, as their distance in bytes from the
@@ -86,7 +87,7 @@ struct WideRay {
     return wide;
 }
 
-/// The slab test of box.h for eight boxes: which ones the ray enters, and at which t. A plane in which the
+/// The slab test of box.h for a row of boxes: which ones the ray enters, and at which t. A plane in which the
 /// ray lies gives NaN, and the order of the operands lets the other number through.
 [[gnu::always_inline]] inline unsigned enter(const WideNode& node, const WideRay& ray, Row t_max, Row& t) {
     const auto plane = [](std::uintptr_t address) { return *reinterpret_cast<const Row*>(address); };
@@ -100,14 +101,7 @@ struct WideRay {
     const Row out_y = (plane(y ^ other) - ray.origin[1]) * ray.inverse_out[1];
     const Row out_z = (plane(z ^ other) - ray.origin[2]) * ray.inverse_out[2];
     t = greatest(in_x, greatest(in_y, greatest(in_z, ray.t_min)));
-    return bits(t <= least(out_x, least(out_y, least(out_z, t_max))));
-}
-
-/// Takes the lowest bit out of `mask` and answers its number.
-inline std::size_t next_lane(unsigned& mask) {
-    const int lane = std::countr_zero(mask);
-    mask &= mask - 1;
-    return std::size_t(lane);
+    return at_most(t, least(out_x, least(out_y, least(out_z, t_max))));
 }
 
 /// No path down a tree is longer: 48 levels of cuts and 28 of halving.
@@ -140,6 +134,7 @@ template <typename Block>
         const std::size_t first = next_lane(entered);
         child = node.child[first];
         if (entered == 0) continue;
+        prefetch(bvh, child);
         alignas(Row) float t[lanes];
         __builtin_memcpy(t, &t_in, sizeof t);
         Waiting nearest{child, t[first]};
@@ -166,10 +161,10 @@ template <typename Block>
 std::optional<BlockHit> nearest(const WideBvh<Block>& bvh, const Ray& ray) {
     if (bvh.lines.empty()) return std::nullopt;
     const WideRay wide = wide_ray(ray);
-    const BlockRay narrow = block_ray(ray);
+    const auto narrow = Block::prepare(ray);
     BlockHit best{ray.t_max, 0, 0, no_shape};
     Row t_max = row(ray.t_max);
-    std::array<Waiting, 7 * wide_depth> stack; // every node leaves at most seven children behind
+    std::array<Waiting, (lanes - 1) * wide_depth> stack; // a node leaves all children but one behind
     Waiting* top = stack.data();
     std::uint32_t child = bvh.root;
     while (true) {
@@ -177,7 +172,7 @@ std::optional<BlockHit> nearest(const WideBvh<Block>& bvh, const Ray& ray) {
             const Block& block = block_at(bvh, child);
             tally.triangle_tests += lanes;
             const BlockHits hits = intersect(block, narrow, wide.t_min, t_max);
-            for (unsigned hit = bits(hits.hit); hit != 0;) {
+            for (unsigned hit = hits.hit; hit != 0;) {
                 const std::size_t lane = next_lane(hit);
                 if (hits.t[lane] < best.t)
                     best = {hits.t[lane], hits.u[lane], hits.v[lane], block.shape[lane]};
@@ -202,7 +197,7 @@ bool any_hit(const WideBvh<Block>& bvh, const Ray& ray) {
     };
     if (bvh.lines.empty()) return false;
     const WideRay wide = wide_ray(ray);
-    const BlockRay narrow = block_ray(ray);
+    const auto narrow = Block::prepare(ray);
     const Row t_max = row(ray.t_max);
     std::array<Lanes, wide_depth> stack;
     Lanes* top = stack.data();
@@ -210,7 +205,7 @@ bool any_hit(const WideBvh<Block>& bvh, const Ray& ray) {
     while (true) {
         if (is_block(child)) {
             tally.triangle_tests += lanes;
-            if (bits(intersect(block_at(bvh, child), narrow, wide.t_min, t_max).hit) != 0) return true;
+            if (intersect(block_at(bvh, child), narrow, wide.t_min, t_max).hit != 0) return true;
         } else {
             tally.box_tests += lanes;
             Row t;

@@ -18,13 +18,6 @@ namespace rt {
 using Four = float __attribute__((vector_size(16)));
 using FourInts = std::int32_t __attribute__((vector_size(16)));
 
-inline Four least(Four a, Four b) {
-    return a < b ? a : b;
-}
-inline Four greatest(Four a, Four b) {
-    return a > b ? a : b;
-}
-
 /// A box as one register for each end. The fourth lane counts for nothing.
 struct FourBox {
     Four low = Four{} + infinity;

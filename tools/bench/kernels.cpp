@@ -56,8 +56,8 @@ void triangle(benchmark::State& state) {
     repeat(state, [&](std::size_t i) { return intersect(a, b, c, rays[i]); });
 }
 
-/// Eight at once: a node's boxes, a block of triangles, a block of spheres.
-void eight_boxes(benchmark::State& state) {
+/// A row at once: a node's boxes, a block of triangles, a block of spheres.
+void row_of_boxes(benchmark::State& state) {
     const std::vector<Ray> rays = some_rays();
     WideNode node{};
     for (int axis = 0; axis < 3; ++axis)
@@ -74,28 +74,29 @@ void eight_boxes(benchmark::State& state) {
 }
 
 template <typename Block>
-void eight(benchmark::State& state, const Block& block) {
+void row_of_shapes(benchmark::State& state, const Block& block) {
     const std::vector<Ray> rays = some_rays();
-    std::vector<BlockRay> block_rays;
-    for (const Ray& ray : rays) block_rays.push_back(block_ray(ray));
-    repeat(state,
-           [&](std::size_t i) { return bits(intersect(block, block_rays[i], row(0), row(infinity)).hit); });
+    std::vector<decltype(Block::prepare(rays[0]))> prepared;
+    for (const Ray& ray : rays) prepared.push_back(Block::prepare(ray));
+    repeat(state, [&](std::size_t i) { return intersect(block, prepared[i], row(0), row(infinity)).hit; });
 }
 
-void eight_triangles(benchmark::State& state) {
+void row_of_triangles(benchmark::State& state) {
     TriangleBlock block{};
     for (int lane = 0; lane < lanes; ++lane) {
         const float z = 1 + float(lane) / 8;
         put(block, lane, {vec3(-1, -1, z), vec3(1, -1, z), vec3(0, 1, z)}, std::uint32_t(lane));
     }
-    eight(state, block);
+    row_of_shapes(state, block);
 }
 
-void eight_spheres(benchmark::State& state) {
+void row_of_spheres(benchmark::State& state) {
     SphereBlock block{};
-    for (int lane = 0; lane < lanes; ++lane)
-        put(block, lane, Sphere{{0, 0, 1 + float(lane)}, 0.7f, 0}, std::uint32_t(lane));
-    eight(state, block);
+    for (int lane = 0; lane < lanes; ++lane) {
+        const vec3 center(float(lane % 4) - 1.5f, float(lane / 4) - 1.5f, 2);
+        put(block, lane, Sphere{center, 0.5f, 0}, std::uint32_t(lane));
+    }
+    row_of_shapes(state, block);
 }
 
 void sphere(benchmark::State& state) {
@@ -155,9 +156,9 @@ void flip_pictures(benchmark::State& state) {
 BENCHMARK(box)->Name("ray and box");
 BENCHMARK(triangle)->Name("ray and triangle");
 BENCHMARK(sphere)->Name("ray and sphere");
-BENCHMARK(eight_boxes)->Name("ray and a node of eight boxes");
-BENCHMARK(eight_triangles)->Name("ray and a block of eight triangles");
-BENCHMARK(eight_spheres)->Name("ray and a block of eight spheres");
+BENCHMARK(row_of_boxes)->Name("ray and a row of boxes, a node");
+BENCHMARK(row_of_triangles)->Name("ray and a row of triangles, a block");
+BENCHMARK(row_of_spheres)->Name("ray and a row of spheres, a block");
 BENCHMARK(random_number)->Name("random number");
 BENCHMARK(fresnel_term)->Name("Fresnel");
 BENCHMARK(texture)->Name("texture, bilinear");

@@ -92,9 +92,9 @@ struct Sides {
 Sides build_both(const Mesh& mesh, int threads, const Wish& wish, Build& build) {
     const std::size_t triangles = mesh.triangles.size();
     const int rounds = wish.build_rounds > 0   ? wish.build_rounds
-                       : triangles < 200'000   ? 7
-                       : triangles < 2'000'000 ? 3
-                                               : 1;
+                       : triangles < 200'000   ? 15
+                       : triangles < 2'000'000 ? 7
+                                               : 3;
     std::vector<double> ours_seconds, embree_seconds;
     std::optional<Ours> ours;
     Other embree;
@@ -294,7 +294,7 @@ void declare(CLI::App& app, Wish& wish) {
         ->check(CLI::Range(1, 1024));
     app.add_option("--rounds", wish.rounds, "rounds of each side, of which the median counts")
         ->check(CLI::Range(1, 10000));
-    app.add_option("--build-rounds", wish.build_rounds, "the same for the builds; 0: 7 to 1, by size")
+    app.add_option("--build-rounds", wish.build_rounds, "the same for the builds; 0: 15 to 3, by size")
         ->check(CLI::Range(0, 1000));
     app.add_option("--size", wish.size, "side of the picture whose rays are traced, a multiple of 16")
         ->check(CLI::Range(16, 4096));
