@@ -109,7 +109,7 @@ struct Shelf {
 /// So many shapes are not cut any further in a tree over `all`. In a small one, which is soon built, these are
 /// half a block: the fold joins them again where that is cheaper.
 constexpr std::size_t uncut(std::size_t all) {
-    return all < 16384 ? lanes / 2 : lanes;
+    return all < 4096 ? lanes / 2 : lanes;
 }
 
 /// Makes the binary tree. The fragments move from one array to the other at each cut; `order` gets their
@@ -161,7 +161,7 @@ struct BinaryBuilder {
         const auto build_child = [&](std::size_t i, Shelf& its) {
             weights[i] = build(node.children[i], ranges[i], 1 - side, depth + 1, its);
         };
-        if (range.count() < 1024) { // a matter of 100 microseconds, too little to share
+        if (range.count() < 2048) { // a matter of 100 microseconds, too little to share
             build_child(0, shelf);
             build_child(1, shelf);
         } else {
