@@ -26,8 +26,9 @@ class Pool {
   public:
     ~Pool() { allow(1); }
 
-    /// Ends all workers; the next both() starts one fewer than `threads`.
+    /// Ends all workers if there are not to be one fewer than `threads`, which the next both() starts.
     void allow(int threads) {
+        if (allowed == threads - 1) return;
         {
             const std::lock_guard lock(mutex);
             ending = true;
