@@ -134,9 +134,9 @@ TEST_CASE("nodes are nearly full: the binary tree is folded in the cheapest way"
     const double children = double(tree.nodes + tree.blocks - 1) / double(tree.nodes);
     const double shapes = 20000 / double(tree.blocks);
     INFO(children, " children a node, ", shapes, " shapes a block");
-    CHECK_MESSAGE(children > 0.6 * lanes,
+    CHECK_MESSAGE(children > 0.625 * lanes,
                   "half of that: nodes are filled from the top without weighing what is left below");
-    CHECK_MESSAGE(shapes > 0.6 * lanes,
+    CHECK_MESSAGE(shapes > 0.625 * lanes,
                   "half of that: the heuristic counts shapes, where it should count blocks");
 }
 

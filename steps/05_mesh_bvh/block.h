@@ -130,7 +130,8 @@ inline Sphere sphere_at(const SphereBlock& block, std::size_t lane) {
     return filled & ~apart & ~behind;
 }
 
-/// Those that are left, most often one or none, decide by intersect(const Sphere&, ...), in double.
+/// Those that are left, most often one or none, decide by intersect(const Sphere&, ...), in double. The least t
+/// is the ray's own.
 [[gnu::always_inline]] inline BlockHits intersect(const SphereBlock& block, const SphereRay& ray, Row,
                                                   Row t_max) {
     BlockHits hits{};

@@ -30,7 +30,7 @@ constexpr bool is_block(std::uint32_t child) {
     return (child & block_bit) != 0;
 }
 
-/// What memory is counted by.
+/// What memory is counted by: nodes and blocks are whole numbers of it.
 struct alignas(WideNode) Line {
     std::byte bytes[alignof(WideNode)];
 };
@@ -55,8 +55,8 @@ const Block& block_at(const WideBvh<Block>& bvh, std::uint32_t child) {
     return *reinterpret_cast<const Block*>(bvh.lines.data() + (child & ~block_bit));
 }
 
-/// Starts fetching what a child refers to: by the time it is its turn, it is there. Memory comes in lines of
-/// 64 bytes and often in pairs of them, so where lines are long every other one is enough.
+/// Starts fetching what a child refers to: by the time it is its turn, it is there. Memory comes in 64 bytes,
+/// and often in pairs of these: where a Line is such a pair, its first half is enough.
 template <typename Block>
 void prefetch(const WideBvh<Block>& bvh, std::uint32_t child) {
     const std::byte* const begin = bvh.lines[child & ~block_bit].bytes;
