@@ -184,12 +184,11 @@ std::string cost(const Tally& tally, double seconds) {
 
 void warn_not_finite(const std::string& program, const Film& film) {
     if (film.not_finite == 0) return;
-    std::cerr << program + ": warning: " + std::to_string(film.not_finite) +
+    print_error_line(program + ": warning: " + std::to_string(film.not_finite) +
                      (film.not_finite == 1 ? " sample is" : " samples are") +
                      " not finite, the first at pixel " + std::to_string(film.first_x) + "," +
                      std::to_string(film.first_y) + " sample " + std::to_string(film.first_sample + 1) +
-                     ": their pixels are magenta\n"
-              << std::flush;
+                     ": their pixels are magenta");
 }
 
 // ---- the run ----
@@ -216,7 +215,7 @@ void write_outputs(const Outputs& outputs, const Film& film) {
     std::string wrote;
     const auto write = [&wrote](const std::string& path, const Image& image) {
         write_image(path, image);
-        wrote += "wrote " + absolute_path(path) + "\n";
+        wrote += "wrote " + printable(absolute_path(path)) + "\n";
     };
     for (const std::string& path : outputs.pictures) write(path, film.mean);
     if (!outputs.variance.empty()) write(outputs.variance, film.variance);

@@ -2,12 +2,12 @@
 // somebody else's disk, files that were never copied along.
 #include "common/obj/material.h"
 
+#include "common/complain.h"
 #include "common/error.h"
 #include "common/file_bytes.h"
 #include "common/obj/scan.h"
 
 #include <algorithm>
-#include <iostream>
 #include <sstream>
 
 namespace rt {
@@ -103,7 +103,7 @@ float reflectivity_of(const tinyobj::material_t& source, const std::string& wher
 } // namespace
 
 void warn(const std::string& message) {
-    std::cerr << "warning: " + message + "\n";
+    print_error_line("warning: " + message);
 }
 
 bool MaterialLibraries::operator()(const std::string& names, std::vector<tinyobj::material_t>* materials,
