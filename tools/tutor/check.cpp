@@ -2,6 +2,7 @@
 // is next.
 #include "tools/tutor/check.h"
 
+#include "common/complain.h"
 #include "common/error.h"
 #include "common/file_bytes.h"
 #include "tools/tutor/catalogue.h"
@@ -102,8 +103,8 @@ void say_compile_error(const Project& project, const std::string& step, const Bu
                        Findings& findings, std::ostream& out) {
     if (!built.error) throw Error("the build failed, but not for an error in a file; it says: " + built.log);
     const std::string place = shown(built.error->file, built.error->line);
-    out << "It does not compile yet. The first error:\n\n  " << place << "\n    " << built.error->message
-        << "\n\n";
+    out << "It does not compile yet. The first error:\n\n  " << place << "\n    "
+        << printable(built.error->message) << "\n\n";
     findings.picture = no_picture("it does not compile yet");
     findings.picture.lines = {place + ": " + built.error->message};
     findings.next = "./learn check " + number_of(step);
@@ -197,11 +198,11 @@ std::string next_thing(const Project& project, const std::string& step, const Fi
 // --- one screen -------------------------------------------------------------------------------------------------
 
 void say_failure(const CheckResult& check, std::ostream& out) {
-    out << "  red     " << check.name << "\n";
+    out << "  red     " << printable(check.name) << "\n";
     if (check.failures.empty()) return;
     const Failure& failure = check.failures.front();
-    out << "            " << failure.values << "\n";
-    if (!failure.notes.empty()) out << "            " << failure.notes.front() << "\n";
+    out << "            " << printable(failure.values) << "\n";
+    if (!failure.notes.empty()) out << "            " << printable(failure.notes.front()) << "\n";
 }
 
 void say_checks(const Project& project, const std::string& step, const Findings& findings,
@@ -326,13 +327,13 @@ void find_out(const Project& project, const CheckWish& wish, Findings& findings,
     say_checks(project, wish.step, findings, out);
     out << std::flush;
     run_earlier(project, wish, findings);
-    for (const std::string& line : findings.earlier) out << "earlier   " << line << "\n";
+    for (const std::string& line : findings.earlier) out << "earlier   " << printable(line) << "\n";
     if (!wish.picture)
         findings.picture = no_picture("only the checks were asked for");
     else if (!findings.picture.complete)
         findings.picture = judge_picture(project.root, wish.step, wish.build, Samples::all);
     find_mistake(project, wish, findings);
-    for (const std::string& line : findings.picture.lines) out << "picture   " << line << "\n";
+    for (const std::string& line : findings.picture.lines) out << "picture   " << printable(line) << "\n";
     say_mistake(project, wish.step, findings, out);
     findings.next = next_thing(project, wish.step, findings);
 }

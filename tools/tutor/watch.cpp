@@ -1,6 +1,7 @@
 // Looks at the learner's files five times a second: that costs nothing, and works on every kind of disk.
 #include "tools/tutor/watch.h"
 
+#include "common/complain.h"
 #include "common/error.h"
 
 #include <chrono>
@@ -48,7 +49,7 @@ int check_once(const Project& project, const CheckWish& wish, std::ostream& out)
     try {
         code = check_step(project, wish, out);
     } catch (const Error& problem) { // while someone types, a file may be missing for a moment
-        out << problem.what() << "\n";
+        out << printable(problem.what()) << "\n";
     }
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     out << "\n" << int(took.count() * 10) / 10.0 << " s; waiting for the next save (q ends)\n" << std::flush;

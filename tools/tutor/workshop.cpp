@@ -1,6 +1,7 @@
 // Finds the learner's files, and remembers in two small text files what was checked and which hints were shown.
 #include "tools/tutor/workshop.h"
 
+#include "common/complain.h"
 #include "common/error.h"
 #include "common/file_bytes.h"
 #include "tools/tutor/hash.h"
@@ -143,8 +144,8 @@ std::string find_own_file(const Project& project, const std::string& step, const
 std::string shown(const fs::path& path) {
     std::error_code failure;
     const fs::path near = fs::proximate(path, failure);
-    return failure || near.empty() || *near.begin() == ".." ? path.lexically_normal().string()
-                                                            : near.string();
+    const bool elsewhere = failure || near.empty() || *near.begin() == "..";
+    return printable((elsewhere ? path.lexically_normal() : near).string());
 }
 
 std::string shown(const fs::path& path, int line) {

@@ -40,7 +40,7 @@ struct Report {
     bool all_is_true = true;
     void complain(const std::string& line) {
         all_is_true = false;
-        std::cout << line << std::endl;
+        std::cout << rt::printable_lines(line) << std::endl;
     }
 };
 
