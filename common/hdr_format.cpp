@@ -170,7 +170,7 @@ std::string encode_hdr(const Image& image) {
                       std::to_string(image.width) + "\n";
     std::vector<Rgbe> row(std::size_t(image.width));
     for (int y = 0; y < image.height; ++y) {
-        for (int x = 0; x < image.width; ++x) row[std::size_t(x)] = rgbe_from_linear(image(x, y));
+        for (int x = 0; x < image.width; ++x) row[std::size_t(x)] = rgbe_from_linear(visible(image(x, y)));
         encode_row(row, out);
     }
     return out;

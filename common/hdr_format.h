@@ -18,7 +18,7 @@ using Rgbe = std::array<std::uint8_t, 4>;
 Rgbe rgbe_from_linear(vec3 colour);
 vec3 linear_from_rgbe(Rgbe rgbe);
 
-/// A whole .hdr file, run-length encoded.
+/// A whole .hdr file, run-length encoded; magenta where a pixel is not finite.
 std::string encode_hdr(const Image& image);
 
 /// Throws Error with the reason for what is damaged, cut short or too large. Never reads past the end.

@@ -55,7 +55,8 @@ std::string encode_png(const std::string& path, const Image& image) {
     std::vector<std::uint8_t> codes;
     codes.reserve(image.pixels.size() * 3);
     for (const vec3& pixel : image.pixels) {
-        for (int channel = 0; channel < 3; ++channel) codes.push_back(srgb_code(pixel[channel]));
+        const vec3 colour = visible(pixel);
+        for (int channel = 0; channel < 3; ++channel) codes.push_back(srgb_code(colour[channel]));
     }
     std::string bytes;
     const auto append = [](void* context, void* data, int size) {
@@ -64,13 +65,6 @@ std::string encode_png(const std::string& path, const Image& image) {
     if (!stbi_write_png_to_func(append, &bytes, image.width, image.height, 3, codes.data(), image.width * 3))
         throw Error(path + ": the picture could not be encoded; is there too little memory?");
     return bytes;
-}
-
-Image without_wrong_numbers(Image image) {
-    for (vec3& pixel : image.pixels) {
-        if (!is_finite(pixel)) pixel = vec3(1, 0, 1);
-    }
-    return image;
 }
 
 Error undecodable(const std::string& path) {
@@ -129,8 +123,13 @@ void write_image(const std::string& path, const Image& image) {
     check_ending(path);
     if (const std::string why = size_problem(image.width, image.height); !why.empty())
         throw Error(path + ": the picture " + why);
-    const Image finite = without_wrong_numbers(image);
-    write_file(path, lower_ending(path) == ".png" ? encode_png(path, finite) : encode_hdr(finite));
+    write_file(path, lower_ending(path) == ".png" ? encode_png(path, image) : encode_hdr(image));
+}
+
+std::size_t memory_to_write(int width, int height) {
+    // A pixel of a PNG takes 3 bytes as codes, 3 filtered, and up to 9 where stb's compressed copy grows. Its
+    // hash table takes some MB.
+    return std::size_t(width) * std::size_t(height) * 16 + (std::size_t(8) << 20);
 }
 
 Image read_image(const std::string& path) {

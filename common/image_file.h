@@ -4,6 +4,7 @@
 
 #include "common/image.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -35,6 +36,9 @@ void check_writable(const std::string& path);
 /// it and renames, so that the old file stays until the new one is complete. A pixel that is not finite is
 /// written as magenta.
 void write_image(const std::string& path, const Image& image);
+
+/// Returns the bytes of memory that write_image takes at most, besides the image.
+std::size_t memory_to_write(int width, int height);
 
 /// A PNG or .hdr as linear RGB (PNG: the exact sRGB curve undone). Throws Error with the path and the reason.
 Image read_image(const std::string& path);

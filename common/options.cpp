@@ -31,8 +31,7 @@ namespace {
 constexpr int longest_side =
     65536; // of the whole picture; what is rendered of it ends at the writers' largest_side
 constexpr int most_samples = 1 << 20;
-constexpr std::int64_t bytes_per_pixel =
-    56; // Film: two times 12; writing: 12 for a copy, about 20 for the PNG
+constexpr std::int64_t bytes_per_film_pixel = 24; // two images
 
 using Reader = std::function<void(const std::string& text)>;
 
@@ -248,7 +247,8 @@ void check_crop(const Picture& picture, const std::string& typed) {
 
 void check_size(const Crop& crop) {
     const int width = crop.x1 - crop.x0, height = crop.y1 - crop.y0;
-    const std::int64_t needed = std::int64_t(width) * height * bytes_per_pixel; // at most 2^32 * 56
+    const std::int64_t needed =
+        std::int64_t(width) * height * bytes_per_film_pixel + std::int64_t(memory_to_write(width, height));
     const std::int64_t memory = physical_memory();
     const std::string advice = ": make --width and --height smaller, or render a part with --crop";
     if (memory > 0 && needed > memory)
@@ -357,7 +357,8 @@ void Options::Parser::add_output() {
          "also write the variance of each pixel's mean luminance: NAME.hdr; needs --samples 2 or more", "",
          "none",
          [this](const std::string& text) { picture.variance = read_output_name("--variance", text); }});
-    whole(output, "threads", picture.threads, 0, 1024, "threads to render with, 0 for one a core");
+    whole(output, "threads", picture.threads, 0, 1024,
+          "threads to render with; 0: as many as the cores that it may use");
     add(output, {"quiet", "", "print only the names of the files written, and errors", "", "",
                  [this](const std::string&) { picture.quiet = true; }});
 }

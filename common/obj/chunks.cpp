@@ -2,6 +2,7 @@
 // as a whole, and still in the cache when it is looked at again.
 #include "common/obj/chunks.h"
 
+#include "common/cores.h"
 #include "common/error.h"
 #include "common/file_bytes.h"
 
@@ -33,9 +34,8 @@ class Chunks {
         : path(path_), file(path), chunk_bytes(reading.chunk_bytes) {
         if (file.bytes_left() == 0) throw Error(path + ": is empty");
         const std::uintmax_t most = file.bytes_left() / chunk_bytes + 1;
-        const unsigned wished =
-            reading.threads > 0 ? unsigned(reading.threads) : std::thread::hardware_concurrency();
-        threads = int(std::clamp<std::uintmax_t>(wished, 1, most));
+        const int wished = reading.threads > 0 ? reading.threads : usable_cores();
+        threads = int(std::min<std::uintmax_t>(std::uintmax_t(wished), most));
     }
     std::deque<Chunk> read();
 

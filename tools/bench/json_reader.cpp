@@ -85,20 +85,33 @@ class Reader {
         return json;
     }
 
-    /// What no benchmark writes, \u and its digits, is kept as it stands.
     std::string rest_of_text() {
         std::string out;
         while (place < text.size() && text[place] != '"') {
-            if (text[place] == '\\' && place + 1 < text.size() && text[place + 1] != 'u') {
-                ++place;
-                out += text[place] == 'n' ? '\n' : text[place] == 't' ? '\t' : text[place];
-            } else {
-                out += text[place];
-            }
-            ++place;
+            if (text[place] == '\\' && place + 1 < text.size())
+                out += escaped();
+            else
+                out += text[place++];
         }
         demand("\"");
         return out;
+    }
+
+    /// The character of the escape that begins here. \u stands for ASCII alone: json_text writes no other.
+    char escaped() {
+        constexpr std::string_view letters = "bfnrt", characters = "\b\f\n\r\t";
+        const char kind = text[place + 1];
+        place += 2;
+        if (kind != 'u') {
+            const std::size_t i = letters.find(kind);
+            return i == std::string_view::npos ? kind : characters[i];
+        }
+        const std::string_view digits = text.substr(place, 4);
+        unsigned code = 0;
+        const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), code, 16);
+        if (problem != std::errc() || end - digits.data() != 4 || code > 0x7F) fail("an escape is not ASCII");
+        place += 4;
+        return char(code);
     }
 
     std::string_view text;

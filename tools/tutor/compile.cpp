@@ -1,6 +1,7 @@
 // Reads "file:line:column: error: message", which GCC and Clang agree on.
 #include "tools/tutor/compile.h"
 
+#include "common/cores.h"
 #include "common/file_bytes.h"
 #include "tools/tutor/process.h"
 
@@ -9,7 +10,6 @@
 #include <fstream>
 #include <future>
 #include <sstream>
-#include <thread>
 
 namespace rt {
 
@@ -65,8 +65,7 @@ std::optional<CompileError> first_error(const std::string& log, const std::strin
 
 Built build_targets(const fs::path& build, const std::vector<std::string>& targets, const fs::path& said,
                     const std::string& preferred, const std::function<void()>& first_is_there) {
-    const std::string jobs =
-        std::to_string(std::max(1u, std::thread::hardware_concurrency())); // ninja takes two more
+    const std::string jobs = std::to_string(usable_cores()); // ninja takes two more
     std::vector<std::string> command{"/usr/bin/env", "cmake", "--build", build.string(),
                                      "--parallel",   jobs,    "--target"};
     command.insert(command.end(), targets.begin(), targets.end());

@@ -2,6 +2,7 @@
 // names it. ./learn prove runs it.
 #include "common/compare/judge.h"
 #include "common/complain.h"
+#include "common/cores.h"
 #include "common/error.h"
 #include "common/file_bytes.h"
 #include "common/json.h"
@@ -352,8 +353,7 @@ void try_all(const Toolchain& tools, std::vector<StepProof>& proofs, const Wishe
     std::vector<Trial*> trials;
     for (StepProof& proof : proofs)
         for (Trial& trial : proof.trials) trials.push_back(&trial);
-    const int cores = int(std::max(1u, std::thread::hardware_concurrency()));
-    in_parallel(trials.size(), wishes.jobs > 0 ? wishes.jobs : cores,
+    in_parallel(trials.size(), wishes.jobs > 0 ? wishes.jobs : usable_cores(),
                 [&](std::size_t i) { try_out(tools, *trials[i], !wishes.no_pictures); });
 }
 
