@@ -268,7 +268,7 @@ int run(const Options& options, const std::function<void(const RenderCall&)>& bo
     const Picture& picture = options.picture();
     const Outputs outputs = checked_outputs(options);
     say(picture, headline(picture));
-    if (!own_headers.empty()) say(picture, "using your " + own_headers + "\n");
+    if (!own_headers.empty()) say(picture, "using your " + printable(own_headers) + "\n");
     BigVector<char> spare; // what the writing will need: better refused now than when the picture is finished
     spare.reserve(memory_to_write(picture.crop.x1 - picture.crop.x0, picture.crop.y1 - picture.crop.y0));
     std::optional<Film> film;
