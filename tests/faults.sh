@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # What the world does to a program that renders: full disks, too little memory, signals, closed streams, folders that
 # vanish. One line per fact. faults.sh BIN SCRATCH: exit 0 if all of them hold.
-set -u
 # shellcheck disable=SC2317 # fact calls the functions
+set -u
 
 # A full disk is a small one: mounted where only this script sees it, so that nothing of it stays.
 if [ -z "${RAYSTEPS_OWN_MOUNTS-}" ] && unshare -m true 2>/dev/null; then
@@ -169,6 +169,9 @@ short_memory() {
     done
     fact "with any amount of memory a picture is written, or refused before rendering${wrong:+; not with$wrong}" \
         [ -z "$wrong" ]
+    (ulimit -v 200000 && exec "$bin/01_spheres" --width 8000 --height 8000 --out m.png >out 2>err)
+    code=$?
+    fact "with 200 MB of memory a picture of 2.6 GB is refused, with both numbers" refused "2.6 GB .* 0.2 GB"
     fact "with 20 MB of memory a picture is refused, with 200 MB it is written" [ "${outcomes:0:1}${outcomes: -1}" = rw ]
 }
 
@@ -284,6 +287,15 @@ cores() {
     fact "a program that may use one core renders with one thread" grep -q " 1 thread$" out
 }
 
+# Two rays at each boundary: the work grows with a power of the depth.
+deepest_glass() {
+    local deepest
+    deepest=$("$bin/04_refraction" --help | tr -s ' \n' ' ' | sed 's/.*--depth N[^[]*\[0 to \([0-9]*\);.*/\1/')
+    timeout 20 "$bin/04_refraction" --depth "$deepest" --width 80 --height 50 --samples 1 --out g.png >out 2>err
+    code=$?
+    fact "the largest depth of 04_refraction, $deepest, ends within seconds" ends_with 0 g.png
+}
+
 # Not a fault, but what faults of timing would break.
 same_bits() {
     local accel threads wrong=""
@@ -309,6 +321,7 @@ signals
 streams
 escapes
 cores
+deepest_glass
 same_bits
 echo "took $((SECONDS - begin)) s"
 exit $failed
