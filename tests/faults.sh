@@ -97,8 +97,9 @@ said_lost() {
 
 vanishing_folder() {
     mkdir gone
+    : >out
     "$bin/01_spheres" --width 200 --height 120 --samples 100 --threads 1 --out gone/a.hdr >out 2>err &
-    until grep -q sample out; do sleep 0.01; done
+    until grep -q sample out || ! kill -0 $! 2>/dev/null; do sleep 0.01; done
     rm -r gone
     wait $!
     code=$?
