@@ -1,4 +1,4 @@
-// How every program refuses and warns: one line on stderr, which no file can turn into commands for a terminal.
+// How every program refuses and warns: one line on stderr, and nothing in it steers the terminal.
 #pragma once
 
 #include <string>
@@ -6,10 +6,10 @@
 
 namespace rt {
 
-/// Returns `text` as a terminal may show it, in one line. Line ends and tabs become blanks. '?' takes the place
-/// of every other control character (U+0000 to U+001F, U+007F to U+009F), of what changes the direction of
-/// writing (U+202A to U+202E, U+2066 to U+2069), and of every byte that is not UTF-8. Letters of all languages
-/// stay. All text that comes from a file or a command line passes through it before it is printed.
+/// Returns `text` as a terminal may show it, in one line. Line ends and tabs become blanks; '?' replaces
+/// other control characters (U+0000 to U+001F, U+007F to U+009F), line separators and what changes the
+/// direction of writing (U+2028 to U+202E, U+2066 to U+2069), and bytes that are not UTF-8. Letters of all
+/// languages stay. All text that comes from a file or a command line goes through this before it is printed.
 std::string printable(std::string_view text);
 
 /// Returns printable(line) for each line of `text`; line ends and tabs stay.

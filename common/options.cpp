@@ -220,8 +220,7 @@ std::string read_output_name(const std::string& flag, const std::string& text) {
 
 // ---- the picture as a whole ----
 
-/// Bytes of memory that this program may have: that of the machine, or less by `ulimit -v`. 0 where it cannot be
-/// known.
+/// Bytes of memory that this program may have: the machine's, or less by `ulimit -v`. 0 if it is unknown.
 std::int64_t usable_memory() {
 #if defined(_SC_PHYS_PAGES) && defined(_SC_PAGESIZE)
     const std::int64_t pages = sysconf(_SC_PHYS_PAGES);

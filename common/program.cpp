@@ -232,7 +232,11 @@ std::string saved_elsewhere(const std::string& program, const std::string& path,
     for (const fs::path& folder : {fs::temp_directory_path(ignored), fs::path(home ? home : "")}) {
         const std::string place = (folder / (program + "-" + random_digits() + ending(path))).string();
         try {
-            if (folder.is_absolute()) return write_image(place, image), place;
+            if (!folder.is_absolute()) continue;
+            write_image(place, image);
+            fs::permissions(place, fs::perms::owner_read | fs::perms::owner_write,
+                            ignored); // others look there
+            return place;
         } catch (const std::exception&) { // the next folder may have room
         }
     }

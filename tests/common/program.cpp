@@ -419,6 +419,7 @@ TEST_CASE("a finished picture goes to the temporary folder if its own is gone") 
         CHECK(path.rfind(temporary / "00_test-", 0) == 0);
         CHECK(contains(result.err, "; the new picture is " + path + "\n"));
         CHECK(rt::read_image(path).width == 8);
+        CHECK((fs::status(path).permissions() & fs::perms::others_all) == fs::perms::none);
     }
     CHECK(temporary.files() == 2);
 }
