@@ -1,4 +1,4 @@
-# The five header-only packages, and libjpeg where stb is old: the system's where it has one, else a pinned commit that is fetched.
+# The five header-only packages: the system's where it has one, else a pinned commit that is fetched.
 # Each becomes a target of ours that carries nothing but the path of its headers.
 include(FetchContent)
 
@@ -58,8 +58,8 @@ else()
         target_compile_definitions(rt_stb INTERFACE RT_LIBJPEG=1)
         target_link_libraries(rt_stb INTERFACE JPEG::JPEG)
     else()
-        message(STATUS "stb_image ${CMAKE_MATCH_1} does not read every JPEG safely, and libjpeg is not there: "
-                       "JPEG textures are left out (on Debian: apt-get install libjpeg62-turbo-dev)")
+        message(STATUS "stb_image ${CMAKE_MATCH_1} does not read every JPEG safely, and there is no libjpeg: JPEG "
+                       "textures are left out (on Debian: apt-get install libjpeg62-turbo-dev)")
     endif()
 endif()
 

@@ -46,11 +46,10 @@ Header header_of(const std::string& bytes) {
     return header;
 }
 
-/// The largest block that decoding can need: the pixels with an alpha channel added, or the data of an interlaced
-/// PNG in a buffer that doubles, or the file's own bytes in such a buffer.
+/// The largest block that decoding can need: the pixels with an alpha channel added, or the data of an
+/// interlaced PNG in a buffer that doubles, or the file's own bytes in such a buffer.
 std::size_t largest_block(const Header& header, std::size_t file_bytes) {
-    constexpr std::size_t padding =
-        64; // JPEGs are decoded in squares, PNG rows begin with a byte of their own
+    constexpr std::size_t padding = 64; // squares of a JPEG, and the first byte of a PNG row
     const std::size_t pixels = (std::size_t(header.width) + padding) * (std::size_t(header.height) + padding);
     return pixels * std::size_t(2 * header.channels) * (header.is_deep ? 2 : 1) + 2 * file_bytes;
 }

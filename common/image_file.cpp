@@ -1,4 +1,4 @@
-// Pictures on disk, as light: PNG written by stb, .hdr by our own code, and the sRGB curve between light and bytes.
+// Pictures on disk, as light: PNG through stb, .hdr through our own code, and the sRGB curve between.
 #include "common/image_file.h"
 
 #include "common/error.h"

@@ -17,20 +17,21 @@ inline constexpr std::int64_t most_pixels = std::int64_t(1) << 27;
 /// All textures of a model together: 18 bytes per pixel, 6 here and 12 as linear colours, make 2 GB.
 inline constexpr std::int64_t most_texture_pixels = (std::int64_t(1) << 31) / 18;
 
-/// Why a picture of this size is not read or written, in words; empty if it is. A texture may have no more than
-/// `pixels_left` of most_texture_pixels.
+/// Why a picture of this size is not read or written, in words; empty if it is. A texture may have no more
+/// than `pixels_left` of most_texture_pixels.
 std::string size_problem(int width, int height, std::int64_t pixels_left = most_pixels);
 
-/// Bytes or 16-bit words as a file holds them, before anyone has decided what they mean.
-/// Three channels, row by row from the top; a grey file's value stands in all three.
+/// Bytes or 16-bit words as a file holds them, before anyone has decided what they mean, row by row from the
+/// top.
 struct Bitmap {
     int width = 0;
     int height = 0;
-    std::vector<std::uint16_t>
-        values; ///< 3 * width * height, 0 to 65535 (an 8-bit value v stands as v * 257)
-    std::vector<std::uint16_t> opacity; ///< the alpha channel, one value per pixel; empty if all is opaque
-    std::string
-        flaw; ///< what is wrong with a file that could be read in part, "is cut short"; empty for most
+    /// 3 * width * height, 0 to 65535 (an 8-bit value v stands as v * 257; a grey file's value in all three).
+    std::vector<std::uint16_t> values;
+    /// The alpha channel, one value per pixel; empty if all is opaque.
+    std::vector<std::uint16_t> opacity;
+    /// What is wrong with a file that could be read in part, such as "is cut short"; empty for most.
+    std::string flaw;
 };
 
 /// Where a surface is: one value per pixel, row by row from the top, 0 (a hole) to 65535. It has a hole where
@@ -56,9 +57,9 @@ void write_image(const std::string& path, const Image& image);
 /// Throws Error with the path and the reason, also for a flaw.
 Image read_image(const std::string& path);
 
-/// A PNG, JPEG, TGA, BMP as it stands in the file, or an .hdr by the sRGB curve, clamped to 1. Alpha that is 0
-/// everywhere (as in many TGA files) counts for nothing. Throws Error, before memory is taken, for a size that
-/// size_problem() refuses, and for a file that is damaged; a cut JPEG is read as far as it goes.
+/// A PNG, JPEG, TGA, BMP as it stands in the file, or an .hdr by the sRGB curve, clamped to 1. Alpha that
+/// is 0 everywhere (as in many TGA files) counts for nothing. Throws Error, before memory is taken, for a
+/// size that size_problem() refuses, and for a file that is damaged; a cut JPEG is read as far as it goes.
 Bitmap read_bitmap(const std::string& path, std::int64_t pixels_left = most_pixels);
 
 /// `path` made absolute, for printing.

@@ -57,6 +57,14 @@ std::size_t png_pixel_bytes(std::string_view header) {
     return (width * bits + 7) / 8 * height;
 }
 
+/// A PLTE chunk with black for all colours that it lacks. stb does not look at its checksum.
+std::string full_palette(std::string_view chunk) {
+    std::string full("\0\0\3\0", 4);
+    full += chunk.substr(4, chunk.size() - chunk_frame + 4); // kind and colours
+    full.resize(chunk_frame + 3 * most_colours, '\0');
+    return full;
+}
+
 } // namespace
 
 PictureKind picture_kind(const std::string& path, std::string_view bytes) {
@@ -75,19 +83,14 @@ std::string mended_png(std::string_view bytes) {
         if (kind == "IEND") break;
         const std::size_t length = big_endian_32(bytes, at);
         if (bytes.size() - at < chunk_frame || length > bytes.size() - at - chunk_frame) throw cut_short();
-        std::string_view chunk = bytes.substr(at, chunk_frame + length);
+        const std::string_view chunk = bytes.substr(at, chunk_frame + length);
         at += chunk.size();
         if (kind == "IHDR" && length == 13) needed = png_pixel_bytes(chunk);
         if (kind == "IDAT") data += length;
-        if (kind == "IDAT" && length == 0) continue;
-        if (kind != "PLTE" || length % 3 != 0 || length >= 3 * most_colours) {
+        if (kind == "PLTE" && length % 3 == 0 && length < 3 * most_colours)
+            mended += full_palette(chunk);
+        else if (kind != "IDAT" || length > 0)
             mended += chunk;
-            continue;
-        }
-        chunk.remove_suffix(4); // the checksum, which stb does not look at
-        chunk.remove_prefix(4);
-        mended += std::string("\0\0\3\0", 4) + std::string(chunk);
-        mended.append(3 * most_colours - length + 4, '\0');
     }
     if (data == 0) throw Error("holds no data of pixels");
     if (data < needed / most_inflation) throw cut_short();

@@ -11,9 +11,9 @@ enum class PictureKind { png, jpeg, tga, bmp, hdr, unknown };
 /// By the first bytes, whatever the name says; a .tga file is known by its name alone.
 PictureKind picture_kind(const std::string& path, std::string_view bytes);
 
-/// What stb_image 2.27 to 2.30 reads from a PNG without fault: palettes filled up to 256 colours (with black: a
-/// pixel may name one that is not there, and stb would show what lay in memory), no chunk of data without a byte.
-/// Throws Error if it is cut short, or states a size that its data cannot fill.
+/// What stb_image 2.27 to 2.30 reads from a PNG without fault: palettes filled up to 256 colours (with
+/// black: a pixel may name one that is not there, and stb would show what lay in memory), no chunk of data
+/// without a byte. Throws Error if it is cut short, or states a size that its data cannot fill.
 std::string mended_png(std::string_view bytes);
 
 /// The same of a BMP.

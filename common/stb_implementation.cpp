@@ -1,6 +1,6 @@
 // The one place where the code of stb_image and stb_image_write is compiled: by our compiler, so that the
-// sanitizers and cross builds cover it. bitmap_file.cpp looks at a file before stb_image decodes it: it can say
-// what is too large or cut short.
+// sanitizers and cross builds cover it. bitmap_file.cpp looks at a file before stb_image decodes it: it can
+// say what is too large or cut short.
 #include "common/stb_memory.h"
 
 #include <cstdlib>

@@ -23,7 +23,8 @@ std::string lower(std::string text) {
     return text;
 }
 
-/// What is called `name` in a folder, but for capitals; the first in the alphabet of several, empty if none is.
+/// What is called `name` in a folder, but for capitals; the first in the alphabet of several, empty if none
+/// is.
 fs::path in_folder(const fs::path& folder, const std::string& name) {
     fs::path found;
     std::error_code failure;

@@ -1,5 +1,5 @@
-// Files that an OBJ or MTL file names, as people really write them: in quotes, with spaces, backslashes, paths of
-// somebody else's disk, in capitals or not.
+// Files that an OBJ or MTL file names, as people really write them: in quotes, with spaces, with
+// backslashes, in capitals or not, on somebody else's disk.
 #pragma once
 
 #include <filesystem>
@@ -12,15 +12,16 @@ namespace rt {
 /// `name` without the quotes round it, if it has some.
 std::string unquoted(std::string_view name);
 
-/// The names of a mtllib line, where `inner_space` stands between words: first the whole as one name with spaces
-/// in it, and apart from that each of several, where quotes hold words together.
+/// The names of a mtllib line, where `inner_space` stands between words: first the whole as one name with
+/// spaces in it, and apart from that each of several, where quotes hold words together.
 struct NamesOfLine {
     std::string whole;
     std::vector<std::string> parts;
 };
 NamesOfLine names_of_line(std::string text);
 
-/// Where a file that is called `name` may stand: as stated, seen from each folder, and by its bare name there.
+/// Where a file that is called `name` may stand: as stated, seen from each folder, and by its bare name
+/// there.
 std::vector<std::filesystem::path> candidates(const std::string& name,
                                               const std::vector<std::filesystem::path>& folders);
 

@@ -1,5 +1,4 @@
-// The materials of an OBJ file: their libraries and textures, also where files were never copied along, and their
-// numbers in our terms.
+// The materials of an OBJ file: their libraries, their textures, and their numbers in our terms.
 #include "common/obj/material.h"
 
 #include "common/complain.h"
@@ -115,8 +114,9 @@ bool MaterialLibraries::operator()(const std::string& names, std::vector<tinyobj
     return true; // tinyobjloader need not look for it once more
 }
 
-/// What `known` says of the picture that `mtl` calls `name`, else what `read` makes of its file. If that is not
-/// there, or cannot be read from any place where it is, what `substitute` makes, with a warning that says `instead`.
+/// What `known` says of the picture that `mtl` calls `name`, else what `read` makes of its file. If that is
+/// not there, or cannot be read from any place where it is, what `substitute` makes, with a warning that
+/// says `instead`.
 int TextureLoader::find_or_read(Known& known, const fs::path& mtl, const std::string& name, const Read& read,
                                 const std::string& instead, const std::function<int()>& substitute) {
     const std::string missing = "missing " + name;

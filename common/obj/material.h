@@ -24,8 +24,8 @@ class MaterialLibraries : public tinyobj::MaterialReader {
   public:
     explicit MaterialLibraries(const std::string& obj_path_) : obj_path(obj_path_) {}
 
-    /// `names`: the rest of the mtllib line, with `inner_space` for spaces: one name with spaces, or several. A
-    /// file is read once, however often and by whatever names it is called.
+    /// `names`: the rest of the mtllib line, with `inner_space` for spaces: one name with spaces, or
+    /// several. A file is read once, however often and by whatever names it is called.
     bool operator()(const std::string& names, std::vector<tinyobj::material_t>* materials,
                     std::map<std::string, int>* numbers, std::string* warnings, std::string* errors) override;
 
@@ -77,8 +77,8 @@ class TextureLoader {
     std::map<int, int> texture_masks; ///< from numbers in `bitmaps` to numbers in `masks`
 };
 
-/// The text of an .mtl file reduced to what we use, each number checked; unstated Kd as `unstated`. Warns of what
-/// it asks for and is not followed.
+/// The text of an .mtl file reduced to what we use, each number checked; unstated Kd as `unstated`. Warns
+/// of what it asks for and is not followed.
 std::string scan_mtl(const std::string& path, std::string text);
 inline constexpr float unstated = -1;
 

@@ -154,6 +154,18 @@ TEST_CASE("no file takes memory that its size cannot need") {
     CHECK(read_bitmap(folder.write("split.png", split)).values[0] == 0x7777); // a chunk may be empty
 }
 
+TEST_CASE("an interlaced PNG, whose rows take more bytes than its size tells, is read") {
+    const Folder folder;
+    std::string rows; // of the seven passes over 8 x 8 pixels
+    for (const int width : {1, 1, 2, 2, 2, 4, 4, 4, 4, 4, 4, 8, 8, 8, 8}) {
+        rows += '\0';
+        rows.append(std::size_t(width), '\x44');
+    }
+    std::string bytes = png(8, 8, 8, 0, rows);
+    bytes[28] = 1; // in the header, as the last byte before its checksum
+    CHECK(read_bitmap(folder.write("a.png", bytes)).values == std::vector<std::uint16_t>(192, 0x4444));
+}
+
 TEST_CASE("a model's textures have a limit together, in plain words") {
     CHECK(size_problem(10'000, 10'000, 100'000'000).empty());
     CHECK_ERROR(size_problem(10'000, 10'000, 99'999'999), "10000 x 10000", "all textures", "2 GB");

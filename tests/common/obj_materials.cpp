@@ -1,4 +1,5 @@
-// Facts about the materials of OBJ files as people write them: cut-outs, names of files, and what is not followed.
+// Facts about the materials of OBJ files: cut-outs, names of files as people write them, what is not
+// followed.
 #include "common/obj/mask.h"
 #include "common/obj_file.h"
 #include "tests/check.h"

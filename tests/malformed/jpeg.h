@@ -20,7 +20,8 @@ struct JpegBits {
             if ((pending & 255) == 255) bytes += '\0';
         }
     }
-    /// How far a square's mean is from the one before it: its number of bits, as a code of four, and these bits.
+    /// How far a square's mean is from the one before it: its number of bits, as a code of four, and these
+    /// bits.
     void add_difference(int difference) {
         int bits = 0;
         while (difference >> bits != 0 && difference >> bits != -1) ++bits;
