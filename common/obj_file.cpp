@@ -4,6 +4,7 @@
 
 #include "common/error.h"
 #include "common/obj/chunks.h"
+#include "common/obj/find_file.h"
 #include "common/obj/material.h"
 #include "common/obj/polygon.h"
 
@@ -84,7 +85,7 @@ class Materials {
 
     void read(const MaterialLine& line) {
         if (!line.is_library) {
-            const auto place = numbers.find(line.name);
+            const auto place = numbers.find(unquoted(line.name));
             current = place == numbers.end() ? -1 : place->second;
         } else if (names.insert(line.name).second) {
             std::string warnings, errors;
@@ -154,15 +155,18 @@ void keep_used_materials(const std::string& path, const Materials& materials, Ob
     }
     for (int& material : file.materials) material = number[std::size_t(material)];
     file.textures = std::move(textures.bitmaps);
+    file.masks = std::move(textures.masks);
+    textures.unfollowed.tell();
 }
 
 void warn_of_unknown_materials(const std::string& path, const ObjScan& scan, const Materials& materials) {
     if (!scan.names_library && !scan.materials.empty())
         warn(path + ": names materials (usemtl) but no material file (mtllib); they are grey");
     if (!materials.libraries.found_any()) return;
+    std::set<std::string_view> known;
+    for (const tinyobj::material_t& material : materials.list) known.insert(material.name);
     for (const auto& [name, line] : scan.materials) {
-        const auto has_name = [&name = name](const tinyobj::material_t& m) { return m.name == name; };
-        if (std::none_of(materials.list.begin(), materials.list.end(), has_name))
+        if (known.count(unquoted(name)) == 0)
             warn(at_line(path, line,
                          "material " + in_quotes(name) + " is in none of the material files; it is grey"));
     }

@@ -19,6 +19,7 @@ struct ObjMaterial {
     float ior = 1;          ///< Ni, index of refraction, in [1, 4]
     bool glass = false;     ///< refraction is asked for: illum 4, 6, 7 or 9, or d < 1 together with Ni > 1
     int texture = -1;       ///< map_Kd: index into ObjFile::textures, -1 for none
+    int mask = -1;          ///< map_d, or the alpha of map_Kd: index into ObjFile::masks, -1 for no holes
 };
 
 /// One corner of a face: indices into the arrays, -1 where the file gives none.
@@ -37,6 +38,7 @@ struct ObjFile {
     std::vector<int> materials;                      ///< one a triangle: index into `material_list`
     std::vector<ObjMaterial> material_list;          ///< at least one
     std::vector<Bitmap> textures;                    ///< a missing one is a magenta checker
+    std::vector<Mask> masks;                         ///< each has a hole somewhere
 };
 
 /// How the work of reading is divided; the result does not depend on it.
