@@ -27,11 +27,13 @@ std::size_t last_cut(const std::string& text, std::size_t from) {
     return 0;
 }
 
-/// A megabyte of one line that holds zeros: refused before it is read to its end.
+/// Refuses UTF-16, and a megabyte of one line that holds zeros, before the rest is read.
 void check_beginning(const std::string& path) {
     InputFile file(path);
     std::string text(std::size_t(std::min<std::uintmax_t>(file.bytes_left(), 1 << 20)), ' ');
     file.read(text.data(), text.size());
+    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
+        throw Error(at_line(path, 1, "UTF-16; is this an OBJ file? Save it as UTF-8"));
     const bool one_line = text.find_first_of("\r\n") == std::string::npos;
     if (one_line && text.find('\0') != std::string::npos)
         throw Error(at_line(path, 1, "not text; is this an OBJ file?"));

@@ -221,6 +221,8 @@ std::vector<std::array<int, 3>> clip_ears(const std::vector<dvec2>& flat) {
         at = ring.behind(at);
         any_clipped = true;
     }
+    while (ring.before(at) > std::min(at, ring.behind(at)))
+        at = ring.behind(at); // the first corner comes first
     triangles.push_back(ring.triangle(at));
     return triangles;
 }
