@@ -62,7 +62,7 @@ void Triangles::add_face(std::span<const ObjCorner> corners, const FaceTraits& t
     if (!winds_against(corners, begin)) return;
     const std::size_t n = corners.size();
     for (std::size_t i = 0; i < (n == 3 ? 1 : n); ++i)
-        keys.emplace_back(key(corners[i], corners[(i + 1) % n], corners[(i + 2) % n]), against.size());
+        keys.emplace_back(key(corners[(i + 2) % n], corners[(i + 1) % n], corners[i]), against.size());
     against.push_back({begin, file.triangles.size()});
 }
 
@@ -87,7 +87,7 @@ TriangleKey Triangles::key(const ObjCorner& a, const ObjCorner& b, const ObjCorn
         const vec3 p = file.positions[std::size_t(corner.position)];
         key[i++] = {p.x, p.y, p.z};
     }
-    std::ranges::sort(key);
+    std::ranges::rotate(key, std::ranges::min_element(key));
     return key;
 }
 

@@ -15,7 +15,7 @@ struct FaceTraits {
     int smoothing; ///< as in ObjFile::smoothing_groups
 };
 
-/// The positions of a triangle's corners in a fixed order: the same for both of its sides.
+/// The positions of a triangle's corners, in their order around it, from the least on.
 using TriangleKey = std::array<std::array<float, 3>, 3>;
 
 /// Collects the triangles of a file.
@@ -47,7 +47,7 @@ class Triangles {
     std::size_t dropped = 0;
     std::vector<Against> against;
     std::vector<std::pair<TriangleKey, std::size_t>>
-        keys; ///< each three corners in a row of each of `against`
+        keys; ///< three corners in a row of an `against`, backwards
 };
 
 } // namespace rt
