@@ -46,8 +46,8 @@ class Triangles {
     bool with_smoothing;
     std::size_t dropped = 0;
     std::vector<Against> against;
-    std::vector<std::pair<TriangleKey, std::size_t>>
-        keys; ///< three corners in a row of an `against`, backwards
+    /// Three corners in a row, backwards, of one of `against`, and which.
+    std::vector<std::pair<TriangleKey, std::size_t>> keys;
 };
 
 } // namespace rt
