@@ -107,7 +107,7 @@ TEST_CASE("faces of different smoothing groups share no normals, and faces of gr
     add_triangle(file, {0, 0, 0}, {0, 1, 0}, {-1, 0, 0.2f}); // and three that lean a little
     add_triangle(file, {0, 0, 0}, {-1, 0, 0.2f}, {0, -1, 0.1f});
     add_triangle(file, {0, 0, 0}, {0, -1, 0.1f}, {1, 0, 0});
-    const auto face = [&](std::size_t t) { return area_of(file, file.triangles[t]); };
+    const auto face = [&](std::size_t t) { return vec3(area_of(file, file.triangles[t])); };
     const auto groups = [&](std::vector<int> list) {
         file.smoothing_groups = std::move(list);
         return smooth_normals(file, 180);
