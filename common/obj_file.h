@@ -36,10 +36,10 @@ struct ObjFile {
     std::vector<vec2> uvs;
     std::vector<vec3> colors; ///< one per position: linear RGB in [0, 1]; empty if the file gives none
     std::vector<std::array<ObjCorner, 3>> triangles; ///< polygons cut into triangles, counter-clockwise kept
-    std::vector<int> materials;                      ///< one per triangle: index into `material_list`
-    std::vector<int> smoothing_groups; ///< one per triangle: 0 is flat, -1 not stated; empty without s lines
-    std::vector<ObjMaterial> material_list; ///< at least one
-    std::vector<Bitmap> textures;           ///< a missing one is a magenta checker
+    std::vector<int> smoothing_groups;               ///< one per triangle: 0 flat, -1 not stated; or empty
+    std::vector<int> materials;                      ///< one a triangle: index into `material_list`
+    std::vector<ObjMaterial> material_list;          ///< at least one
+    std::vector<Bitmap> textures;                    ///< a missing one is a magenta checker
 };
 
 /// How the work of reading is divided; the result does not depend on it.

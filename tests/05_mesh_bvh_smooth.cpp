@@ -132,8 +132,8 @@ TEST_CASE("faces of different smoothing groups share no normals, and faces of gr
 TEST_CASE("a model that is placed anew is where it is placed, wherever its file had it") {
     ObjFile file = empty_file();
     add_triangle(file, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
-    file.origin = glm::dvec3(5e5, 0, 5e6);
+    file.origin = dvec3(5e5, 0, 5e6);
     place(file, 2, 0, {1, 2, 3});
-    CHECK(file.origin == glm::dvec3(0));
+    CHECK(file.origin == dvec3(0));
     CHECK(file.positions[1] == approx({3, 2, 3}));
 }

@@ -13,8 +13,6 @@
 namespace rt {
 namespace {
 
-using glm::dvec3;
-
 constexpr std::array<int ObjCorner::*, 3> index{&ObjCorner::position, &ObjCorner::uv, &ObjCorner::normal};
 constexpr double smallest_size = 1e-15, largest_size = 1e16; // squares of squares of lengths fit a double
 

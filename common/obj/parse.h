@@ -69,7 +69,7 @@ struct SkippedLines {
 /// What stands in a chunk. An index that a negative number stands for lacks the positions, uvs and normals of
 /// the chunks before this one: `relative` lists these corners, one list per kind.
 struct ParsedChunk {
-    std::vector<glm::dvec3> positions;
+    std::vector<dvec3> positions;
     std::vector<vec3> normals; ///< NaN where the file gives no finite one
     std::vector<vec2> uvs;     ///< NaN likewise
     std::vector<vec3>

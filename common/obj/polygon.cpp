@@ -15,7 +15,6 @@ namespace rt {
 namespace {
 
 using glm::dvec2;
-using glm::dvec3;
 
 /// Twice the signed area of the triangle a, b, c: positive if it turns counter-clockwise.
 double turn(dvec2 a, dvec2 b, dvec2 c) {

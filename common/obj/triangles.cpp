@@ -11,8 +11,6 @@
 namespace rt {
 namespace {
 
-using glm::dvec3;
-
 constexpr float least_contradiction = 0.05f; // the cosine; smoothed normals of thin parts may lie in the face
 
 /// Twice the area, along the normal. T is vec3 or dvec3.

@@ -15,7 +15,6 @@
 
 using namespace rt;
 using namespace rt::malformed;
-using glm::dvec3;
 
 namespace {
 

@@ -16,7 +16,7 @@ namespace {
 double shoelace(const std::vector<vec3>& corners) {
     double sum = 0;
     for (std::size_t i = 0; i < corners.size(); ++i) {
-        const glm::dvec3 a(corners[i]), b(corners[(i + 1) % corners.size()]);
+        const dvec3 a(corners[i]), b(corners[(i + 1) % corners.size()]);
         sum += (a.x * b.y - a.y * b.x) / 2;
     }
     return sum;
