@@ -221,6 +221,17 @@ TEST_CASE("what is not JSON is refused, with the place") {
     CHECK_THROWS_AS(parse_json(std::string(1000, '[')), Error);
 }
 
+TEST_CASE("numbers of JSON are read in every form that they have, and nothing else is one") {
+    const Json list = parse_json("[0, -0.5, 1e3, 2.5E-1, 12345678901234567]");
+    const std::vector<double> wanted{0, -0.5, 1e3, 0.25, 12345678901234567.0};
+    REQUIRE(list.list.size() == wanted.size());
+    for (std::size_t i = 0; i < wanted.size(); ++i) CHECK(number_of(list.list[i]) == wanted[i]);
+    for (const char* wrong : {"nan", "inf", "-inf", "0x10", "+1", "1e", "1-2", "-", "1e999"}) {
+        CAPTURE(std::string(wrong));
+        CHECK_THROWS_AS(parse_json(wrong), Error);
+    }
+}
+
 namespace {
 
 /// Every opened element is closed, in order; style and text may hold anything but tags.

@@ -4,7 +4,9 @@
 
 #include "common/error.h"
 
-#include <charconv>
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <limits>
 
 namespace rt::bench {
@@ -54,11 +56,19 @@ class Reader {
         if (take("[")) return list(depth);
         if (take("\"")) return json.kind = Json::Kind::text, json.text = rest_of_text(), json;
         json.kind = Json::Kind::number;
-        const auto [end, problem] =
-            std::from_chars(text.data() + place, text.data() + text.size(), json.number);
-        if (problem != std::errc()) fail("a value is missing");
-        place = std::size_t(end - text.data());
+        json.number = digits();
         return json;
+    }
+
+    /// Not by std::from_chars, which not every standard library has for a double.
+    double digits() {
+        const std::size_t end = std::min(text.find_first_not_of("+-.0123456789eE", place), text.size());
+        const std::string word(text.substr(place, end - place));
+        char* rest = nullptr;
+        const double number = std::strtod(word.c_str(), &rest);
+        if (rest == word.c_str() || word[0] == '+' || !std::isfinite(number)) fail("a value is missing");
+        place += std::size_t(rest - word.c_str());
+        return number;
     }
 
     Json list(int depth) {

@@ -333,7 +333,7 @@ std::string machine() {
     std::string name = "a machine";
     for (std::string line; std::getline(cpu, line);)
         if (line.starts_with("model name")) {
-            name = line.substr(line.find(':') + 2);
+            name = line.substr(std::min(line.find(": "), line.size() - 2) + 2);
             break;
         }
     return "Measured on " + name + ", " + std::to_string(std::thread::hardware_concurrency()) +

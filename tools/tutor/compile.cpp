@@ -3,6 +3,7 @@
 
 #include "common/cores.h"
 #include "common/file_bytes.h"
+#include "tools/tutor/build_lock.h"
 #include "tools/tutor/process.h"
 
 #include <algorithm>
@@ -69,7 +70,10 @@ Built build_targets(const fs::path& build, const std::vector<std::string>& targe
     std::vector<std::string> command{"/usr/bin/env", "cmake", "--build", build.string(),
                                      "--parallel",   jobs,    "--target"};
     command.insert(command.end(), targets.begin(), targets.end());
-    auto ended = std::async(std::launch::async, [&] { return run_process(command, said); });
+    auto ended = std::async(std::launch::async, [&] {
+        const BuildLock alone(build);
+        return run_process(command, said);
+    });
     bool told = !first_is_there;
     while (ended.wait_for(std::chrono::milliseconds(20)) != std::future_status::ready) {
         if (told || !is_linked(said, targets[0])) continue;

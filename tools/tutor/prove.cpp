@@ -72,14 +72,14 @@ struct StepProof {
 
 std::vector<std::string> step_names(const fs::path& root, const std::string& wanted) {
     std::vector<std::string> steps;
-    for (const auto& entry : fs::directory_iterator(root / "steps")) {
-        const std::string name = entry.path().filename().string();
+    for (const fs::path& entry : entries_of(root / "steps")) {
+        const std::string name = entry.filename().string();
         const std::string number = name.substr(0, 2);
         const bool meant = wanted.empty() || wanted == name || wanted == number || "0" + wanted == number;
-        if (entry.is_directory() && meant) steps.push_back(name);
+        std::error_code ignored;
+        if (meant && fs::is_directory(entry, ignored)) steps.push_back(name);
     }
     if (steps.empty()) throw Error("there is no step '" + wanted + "'");
-    std::ranges::sort(steps);
     return steps;
 }
 
