@@ -51,8 +51,8 @@ read_fuzz_words() {
 }
 
 has_libfuzzer() {
-    mkdir -p "$build" && echo 'extern "C" int LLVMFuzzerTestOneInput(const char*, unsigned long) { return 0; }' |
-        clang++ -x c++ -fsanitize=fuzzer,address -o "$build/has_libfuzzer" - 2>/dev/null
+    echo 'extern "C" int LLVMFuzzerTestOneInput(const char*, unsigned long) { return 0; }' |
+        clang++ -x c++ -fsanitize=fuzzer,address -o "$TMPDIR/has_libfuzzer" - 2>/dev/null
 }
 
 fuzz_row() { # target, executions, CPU seconds, findings
@@ -86,12 +86,12 @@ fuzz() {
     read_fuzz_words "$@"
     preset=fuzz
     build=$root/build/$preset
+    TMPDIR=$(mktemp -d -p /dev/shm 2>/dev/null || mktemp -d) || fail 2 "cannot make a temporary folder"
+    export TMPDIR
+    trap 'rm -rf "$TMPDIR" ${scratch:+"$scratch"}' EXIT
     has_libfuzzer || fail 2 "fuzz needs clang++ and its libFuzzer; on Debian: apt-get install clang libclang-rt-14-dev"
     setup
     build fuzz
-    TMPDIR=$(mktemp -d -p /dev/shm 2>/dev/null || mktemp -d) || fail 2 "cannot make a temporary folder"
-    export TMPDIR
-    trap 'rm -rf "$TMPDIR"' EXIT
     fuzz_row target executions "CPU s" findings
     for target in ${chosen:-$("$build/bin/fuzz" --list)}; do
         while [ "$(jobs -rp | wc -l)" -ge 2 ]; do sleep 0.2; done
