@@ -13,6 +13,7 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 
 #if !defined(_WIN32)
 #include <csignal>
@@ -351,6 +352,17 @@ TEST_CASE(".hdr: runs, stretches and their longest lengths come back") {
     const std::string bytes = encode_hdr(image);
     CHECK(bytes.size() < 4000); // 4000 bytes flat
     CHECK(decode_hdr(bytes).pixels == image.pixels);
+}
+
+TEST_CASE(".hdr: what was read is written again, byte for byte") {
+    std::mt19937 random(7);
+    Image image(300, 5);
+    for (vec3& pixel : image.pixels) {
+        const auto byte = [&] { return std::uint8_t(random() >> (random() % 2 == 0 ? 24 : 31)); };
+        pixel = linear_from_rgbe({byte(), byte(), byte(), byte()});
+    }
+    const std::string once = encode_hdr(image);
+    CHECK(encode_hdr(decode_hdr(once)) == once);
 }
 
 TEST_CASE(".hdr without runs, as other programs write it, is read") {

@@ -1,0 +1,63 @@
+// JSON: the reader on any text, and both writers of texts, whose output it reads back.
+#include "common/json.h"
+#include "tests/fuzz/fuzz.h"
+#include "tools/bench/json_reader.h"
+#include "tools/tutor/embed.h"
+
+#include <algorithm>
+
+namespace rt::fuzz {
+
+namespace {
+
+/// The length of the character of UTF-8 that the text begins with; 0 if it begins with none (RFC 3629, section 4).
+std::size_t character_at(std::string_view text) {
+    const auto byte = [&](std::size_t i) {
+        return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u;
+    };
+    const unsigned first = byte(0), second = byte(1);
+    const std::size_t length = first < 0x80 ? 1 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
+    for (std::size_t i = 1; i < length; ++i)
+        if ((byte(i) & 0xc0) != 0x80) return 0;
+    const bool too_short =
+        first < 0xc2 || (first == 0xe0 && second < 0xa0) || (first == 0xf0 && second < 0x90);
+    const bool too_large =
+        first > 0xf4 || (first == 0xf4 && second > 0x8f) || (first == 0xed && second > 0x9f);
+    return length > 1 && (too_short || too_large) ? 0 : length;
+}
+
+bool is_utf8(std::string_view text) {
+    while (!text.empty()) {
+        const std::size_t length = character_at(text);
+        if (length == 0) return false;
+        text.remove_prefix(length);
+    }
+    return true;
+}
+
+bool has_control(std::string_view text) {
+    return std::ranges::any_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x20; });
+}
+
+std::string read_back(const std::string& json) {
+    const bench::Json read = bench::parse_json(json);
+    require(read.kind == bench::Json::Kind::text, "a text is written as a text");
+    return read.text;
+}
+
+} // namespace
+
+void run_json(std::string_view bytes) {
+    refusal([&] {
+        const bench::Json read = bench::parse_json(bytes);
+        bench::number_of(bench::field(read, "a"));
+    });
+    const std::string text = json_text(bytes), embedded = embedded_text(bytes);
+    require(!has_control(text) && !has_control(embedded), "no control character stands in JSON");
+    require(is_utf8(text) && is_utf8(embedded), "JSON is UTF-8");
+    require(embedded.find_first_of("<>&") == std::string::npos, "an embedded text ends no element");
+    const bool same = read_back(text) == bytes && read_back(embedded) == bytes;
+    require(same || !is_utf8(bytes), "what is written is read back");
+}
+
+} // namespace rt::fuzz

@@ -1,0 +1,72 @@
+// An OBJ file through the whole reader: all that ObjFile promises, and the same result however the work is divided.
+#include "common/obj_file.h"
+#include "tests/fuzz/fuzz.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace rt::fuzz {
+
+namespace {
+
+bool all_finite(const auto& points) {
+    return std::ranges::all_of(points, [](const auto& point) { return is_finite(point); });
+}
+
+bool in_range(int index, std::size_t count) {
+    return index >= 0 && std::size_t(index) < count;
+}
+
+void check_corner(const ObjFile& file, const ObjCorner& corner) {
+    require(in_range(corner.position, file.positions.size()), "positions are in range");
+    require(corner.uv == -1 || in_range(corner.uv, file.uvs.size()), "texture coordinates are in range");
+    require(corner.normal == -1 || in_range(corner.normal, file.normals.size()), "normals are in range");
+}
+
+void check_file(const ObjFile& file) {
+    require(!file.triangles.empty(), "a file has triangles");
+    require(file.triangles.size() == file.materials.size(), "each triangle has a material");
+    for (const auto& triangle : file.triangles)
+        for (const ObjCorner& corner : triangle) check_corner(file, corner);
+    for (const int material : file.materials)
+        require(in_range(material, file.material_list.size()), "materials are in range");
+    for (const ObjMaterial& material : file.material_list)
+        require(material.texture == -1 || in_range(material.texture, file.textures.size()),
+                "textures are in range");
+    require(all_finite(file.positions) && all_finite(file.normals), "vectors are finite");
+    for (const vec2 uv : file.uvs) require(is_finite(vec3(uv, 0)), "texture coordinates are finite");
+    for (const vec3& normal : file.normals) require(normal != vec3(0), "no normal is zero");
+}
+
+template <typename Value>
+bool same_bytes(const std::vector<Value>& a, const std::vector<Value>& b) {
+    return a.size() == b.size() &&
+           (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0);
+}
+
+bool same(const ObjFile& a, const ObjFile& b) {
+    return same_bytes(a.positions, b.positions) && same_bytes(a.normals, b.normals) &&
+           same_bytes(a.uvs, b.uvs) && same_bytes(a.triangles, b.triangles) &&
+           same_bytes(a.materials, b.materials) &&
+           std::ranges::equal(a.material_list, b.material_list, {}, &ObjMaterial::name, &ObjMaterial::name) &&
+           a.textures.size() == b.textures.size();
+}
+
+} // namespace
+
+void run_obj(std::string_view bytes) {
+    static const std::string library =
+        write_input("m.mtl", "newmtl red\nKd 1 0 0\nnewmtl glass\nd .1\nNi 1.5\n");
+    const std::string path = write_input("m.obj", bytes);
+    ObjFile whole;
+    const std::string refused = refusal([&] { whole = read_obj(path, {1, std::size_t(1) << 20}); });
+    if (refused.empty()) check_file(whole);
+    for (const ObjReading& reading : {ObjReading{2, 1}, ObjReading{3, 29}}) {
+        ObjFile parts;
+        require(refusal([&] { parts = read_obj(path, reading); }) == refused,
+                "chunks are refused as the whole is");
+        require(!refused.empty() || same(parts, whole), "the result does not depend on chunks");
+    }
+}
+
+} // namespace rt::fuzz

@@ -1,0 +1,58 @@
+// A command line, a word per line: what parse() accepts is in the ranges that were declared.
+#include "common/image_file.h"
+#include "common/options.h"
+#include "tests/fuzz/fuzz.h"
+#include "tools/tutor/exercises.h"
+
+#include <iostream>
+
+namespace rt::fuzz {
+
+namespace {
+
+enum class Accel { brute, bvh, wide };
+
+/// --help prints on stdout.
+struct Silence {
+    Silence() { std::cout.setstate(std::ios::failbit); }
+    ~Silence() { std::cout.clear(); }
+    Silence(const Silence&) = delete;
+    Silence& operator=(const Silence&) = delete;
+};
+
+void check_picture(const Picture& picture) {
+    require(picture.width >= 1 && picture.width <= largest_side, "the width is in range");
+    require(picture.height >= 1 && picture.height <= largest_side, "the height is in range");
+    require(picture.samples >= 1 && picture.threads >= 0, "there are samples and threads");
+    const Crop& crop = picture.crop;
+    require(crop.x0 >= 0 && crop.x0 < crop.x1 && crop.x1 <= picture.width,
+            "the crop's columns are in the picture");
+    require(crop.y0 >= 0 && crop.y0 < crop.y1 && crop.y1 <= picture.height,
+            "the crop's rows are in the picture");
+    require(!picture.out.empty(), "the picture has a name");
+}
+
+} // namespace
+
+void run_options(std::string_view bytes) {
+    const std::vector<std::string> lines = lines_of(std::string(bytes));
+    std::vector<const char*> words{"prog"};
+    for (const std::string& line : lines) words.push_back(line.c_str());
+    Options options("prog", "What is this?", {.width = 64, .height = 40, .samples = 4});
+    const float& ior = options.knob("ior", 1.5f, 1.0f, 2.5f, "index of refraction");
+    const int& depth = options.knob("depth", 6, 0, 24, "bounces");
+    const vec3& from = options.knob("from", vec3(1, 2, 3), "the eye");
+    options.file("mesh", "a model");
+    options.flag("bare", "no floor");
+    const Choice<Accel> accel = options.choice("accel", {"brute", "bvh", "wide"}, Accel::bvh, "the tree");
+    const Silence silence;
+    bool goes_on = false;
+    if (!refusal([&] { goes_on = options.parse(int(words.size()), words.data()); }).empty() || !goes_on)
+        return;
+    require(ior >= 1 && ior <= 2.5f && depth >= 0 && depth <= 24, "knobs are in their ranges");
+    require(is_finite(from), "a point is finite");
+    require(int(Accel(accel)) >= 0 && int(Accel(accel)) < 3, "a choice is one of the names");
+    check_picture(options.picture());
+}
+
+} // namespace rt::fuzz

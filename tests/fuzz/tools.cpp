@@ -1,0 +1,109 @@
+// The parsers of the project's own files: the catalogue of mistakes, and what the tutor and the weaver read.
+#include "tests/fuzz/fuzz.h"
+#include "tools/tutor/catalogue.h"
+#include "tools/tutor/compile.h"
+#include "tools/tutor/diagnosis.h"
+#include "tools/tutor/exercises.h"
+#include "tools/tutor/hints.h"
+#include "tools/tutor/line_diff.h"
+#include "tools/weave/region.h"
+#include "tools/weave/weave.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace rt::fuzz {
+
+namespace {
+
+void check_results(const std::string& text) {
+    const std::vector<CheckResult> results = parse_results(text);
+    const Signature seen = signature_of("seen", results);
+    const Diagnosis diagnosis = diagnose({seen}, {results});
+    require(seen.symptoms.empty() || diagnosis.confidence == Confidence::certain,
+            "a mistake is diagnosed as itself");
+    const auto known = parse_signatures(signatures_text("03_mirror", {seen}), "x.signatures");
+    require(known.size() == 1 && known[0].symptoms.size() == seen.symptoms.size(),
+            "signatures are read back");
+}
+
+void check_exercises(const std::string& text) {
+    const std::vector<Exercise> exercises = find_exercises(text, "steps/03_mirror/mirror.h");
+    const std::string stub = cut(text, exercises);
+    without_markers(text);
+    for (const Exercise& exercise : exercises) {
+        const int place = place_of(exercise, stub);
+        require(place >= 1, "lines count from 1");
+        is_untouched(exercise, text, stub);
+    }
+}
+
+/// The first `count` lines against the others.
+void check_diff(const std::string& text, std::size_t count) {
+    std::vector<std::string> first = lines_of(text), second, left, right;
+    count = std::min(count, first.size());
+    second.assign(first.begin() + std::ptrdiff_t(count), first.end());
+    first.resize(count);
+    const std::vector<DiffLine> diff = line_diff(first, second);
+    for (const DiffLine& line : diff) {
+        if (line.kind != '+') left.push_back(line.text);
+        if (line.kind != '-') right.push_back(line.text);
+    }
+    require(left == first && right == second, "a difference holds both texts");
+    require(unified(diff, "a", "b", false).empty() == (first == second), "only a difference is shown");
+}
+
+void check_page(const std::string& page) {
+    const std::vector<std::string> lines = lines_of(page);
+    for (const Block& block : find_blocks(lines, "docs/x.md"))
+        require(block.begin <= block.end && block.end <= lines.size(), "a block stands in its page");
+    const auto as_it_is = [](const Block&, const std::string& now) { return now; };
+    const std::string once = woven(page, "docs/x.md", as_it_is);
+    require(woven(once, "docs/x.md", as_it_is) == once, "a page that is woven stays as it is");
+    fenced(page);
+}
+
+} // namespace
+
+/// The catalogue's text and, after a line %%, the header to which its changes are made.
+void run_catalogue(std::string_view bytes) {
+    const std::size_t mark = std::min(bytes.find("\n%%\n"), bytes.size());
+    const std::string text(bytes.substr(0, mark));
+    const std::string header(bytes.substr(std::min(mark + 4, bytes.size())));
+    std::vector<Mistake> mistakes;
+    refusal([&] { mistakes = parse_catalogue(text, "mistakes/03_mirror.md"); });
+    for (const Mistake& mistake : mistakes) refusal([&] { with_mistake(mistake, header); });
+}
+
+/// The first letter names the parser, and the lines after the first are what it reads.
+void run_tutor(std::string_view bytes) {
+    const auto [first, text] = first_line(bytes);
+    refusal([&, &what = first, &read = text] {
+        switch (what.empty() ? ' ' : what[0]) {
+        case 'r': return check_results(read);
+        case 'h': return void(parse_hints(read, "hints/03_mirror.md"));
+        case 's': return void(parse_signatures(read, "mistakes/03_mirror.signatures"));
+        case 'e': return check_exercises(read);
+        case 'd': return check_diff(read, what.size() - 1); // a further letter for each line
+        case 'c': return void(first_error(read, "workshop/"));
+        case 'n': return require(rounded(read).size() <= 100, "values are short");
+        }
+    });
+}
+
+/// As run_tutor(); for a region its name follows the letter.
+void run_weave(std::string_view bytes) {
+    static const bool has_pages = std::filesystem::create_directories(folder() + "/docs");
+    require(has_pages, "a new folder is empty");
+    const auto [first, text] = first_line(bytes);
+    refusal([&, &what = first, &read = text] {
+        switch (what.empty() ? ' ' : what[0]) {
+        case 'r': return void(region(read, what.substr(1), "x.h"));
+        case 'c': return void(find_commands(lines_of(read)));
+        case 'l': return void(dead_links(folder(), read, "docs/x.md"));
+        case 'p': return check_page(read);
+        }
+    });
+}
+
+} // namespace rt::fuzz

@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# What ./learn fuzz says to wrong words: one line, exit 2, before anything is built. words.sh LEARN: exit 0 if it does.
+set -u
+
+learn=$1
+bad=0
+
+refuses() { # $1: what the line says; the rest: the words
+    local part=$1 said code
+    shift
+    said=$("$learn" fuzz "$@" 2>&1)
+    code=$?
+    if [ $code != 2 ] || [ "$(printf '%s\n' "$said" | wc -l)" != 1 ] || [[ $said != *"$part"* ]]; then
+        echo "./learn fuzz $*: expected exit 2 and one line with '$part', got exit $code and: $said"
+        bad=1
+    fi
+}
+
+refuses "the targets are catalogue hdr" bitmaps
+refuses "there is no target '..'" ..
+refuses "takes one target" obj hdr
+refuses "does not know '--fast'" --fast
+refuses "--minutes wants a whole number" --minutes
+refuses "--minutes wants a whole number" obj --minutes 1.5
+refuses "--seconds wants a whole number" --seconds 0
+refuses "--seed wants a whole number" --seed -1
+# Without a compiler that can search.
+PATH_WITHOUT=$(mktemp -d)
+trap 'rm -rf "$PATH_WITHOUT"' EXIT
+printf '#!/bin/sh\nexit 1\n' >"$PATH_WITHOUT/clang++"
+chmod +x "$PATH_WITHOUT/clang++"
+PATH=$PATH_WITHOUT:$PATH refuses "fuzz needs clang++ and its libFuzzer" hdr
+"$learn" fuzz --help | grep -q "^targets: catalogue hdr" || {
+    echo "./learn fuzz --help does not name the targets"
+    bad=1
+}
+exit $bad
