@@ -43,8 +43,10 @@ Case make_case(Random& random, int number) {
     add_triangle(made.scene, corner[0], corner[3], corner[2], floor);
     made.normal = normalize(cross(corner[2] - corner[0], corner[1] - corner[0]));
 
-    const float height = 0.3f + 3 * random.uniform(), size = height * (0.2f + 0.6f * random.uniform());
-    const vec3 middle = point(spread(height), height, spread(height));
+    const float height = 0.3f + 3 * random.uniform(), size = height * (0.6f + 0.6f * random.uniform());
+    const float x = spread(half / 4), y = spread(half / 4);
+    made.position = point(x, 0, y);
+    const vec3 middle = point(x + spread(height / 2), height, y + spread(height / 2));
     const vec3 edge_u = size * normalize(right + spread(1) * forward + spread(0.4f) * up);
     const vec3 edge_v = size * normalize(forward + spread(0.3f) * up);
     if (number % 2 == 0) {
@@ -54,7 +56,6 @@ Case make_case(Random& random, int number) {
         made.lamp = {middle, middle + edge_u, middle + edge_v};
         add_triangle(made.scene, made.lamp[0], made.lamp[1], made.lamp[2], lamp);
     }
-    made.position = point(spread(half / 4), 0, spread(half / 4));
     made.eye_distance = std::array{0.01f, 0.1f, 1.0f}[std::size_t(number % 3)];
     const vec3 eye =
         made.position + made.eye_distance * normalize(up + spread(2) * right + spread(2) * forward);
@@ -68,7 +69,7 @@ Mean seen(Case& made, Accel accel, Direct direct) {
     const AreaLights lights = area_lights(made.scene);
     Random random(11);
     Mean mean;
-    for (int i = 0; i < 4000; ++i)
+    for (int i = 0; i < 10000; ++i)
         mean.add(double(radiance(made.scene, lights, {.depth = 1, .direct = direct}, made.ray, random).x));
     return mean;
 }

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 
 namespace rt {
 
@@ -103,29 +104,35 @@ inline std::array<vec3, 3> corners_at(const TriangleBlock& block, std::size_t la
     const unsigned one_way = at_most(Row{}, smallest) | at_most(largest, Row{});
 
     const Row low = least(least(a_z, b_z), c_z), high = greatest(greatest(a_z, b_z), c_z);
-    const float more = 1 + 0x1p-20f, less = 1 - 0x1p-20f;
-    const Interval wide = scaled({t_min * less, t_max * more}, ray.direction_z);
-    const unsigned maybe = one_way & at_most(low, row(wide.end)) & at_most(row(wide.begin), high);
+    const Interval z_reach = scaled({t_min, t_max}, ray.direction_z);
+    const Row begin = row(z_reach.begin), end = row(z_reach.end);
+    const unsigned maybe = one_way & at_most(low, end) & at_most(begin, high);
     if (maybe == 0) return {0, 0};
-    const Interval narrow = scaled({t_min * more, t_max * less}, ray.direction_z);
-    const unsigned clear = rt::less(Row{}, smallest) | rt::less(largest, Row{}); // no area is no hit
-    return {maybe, clear & rt::less(row(narrow.begin), low) & rt::less(high, row(narrow.end))};
+    const unsigned clear = less(Row{}, smallest) | less(largest, Row{}); // no area is no hit
+    return {maybe, maybe & clear & less(begin, low) & less(high, end)};
 }
 
-/// Where the ray meets a triangle whose outline it passes through: t, u and v as in triangle.h, in double. A
-/// point that is outside by the rounding of the outline is drawn in. Not a number if the triangle is seen edge-on.
-inline TriangleHit meeting(const std::array<vec3, 3>& corners, const Ray& ray) {
-    const dvec3 a(corners[0]), origin(ray.origin), direction(ray.direction);
+/// Where the ray meets a triangle whose outline it passes through, if it does so within its interval: t, u and v
+/// as in triangle.h, in double. Where the rounding of the outline lets a point pass that is outside, the weights
+/// are drawn in, and t is between those of the corners, also for a triangle that is seen edge-on.
+inline std::optional<TriangleHit> meeting(const std::array<vec3, 3>& corners, const Ray& ray) {
+    const dvec3 a(corners[0]), direction(ray.direction);
     const dvec3 edge_b = dvec3(corners[1]) - a, edge_c = dvec3(corners[2]) - a;
-    const dvec3 p = cross(direction, edge_c), from_a = origin - a, q = cross(from_a, edge_b);
-    const double inverse = 1 / dot(edge_b, p);
-    double u = dot(from_a, p) * inverse, v = dot(direction, q) * inverse, t = dot(edge_c, q) * inverse;
+    const dvec3 p = cross(direction, edge_c), from_a = dvec3(ray.origin) - a, q = cross(from_a, edge_b);
+    const double inverse =
+        1 / dot(edge_b, p); // without end if the triangle is seen edge-on: no t is contained
+    double t = dot(edge_c, q) * inverse;
+    if (!contains(ray, float(t))) return std::nullopt;
+    double u = dot(from_a, p) * inverse, v = dot(direction, q) * inverse;
     if (!(u >= 0 && v >= 0 && u + v <= 1)) [[unlikely]] {
         u = glm::clamp(u, 0.0, 1.0);
         v = glm::clamp(v, 0.0, 1 - u);
-        t = dot(u * edge_b + v * edge_c - from_a, direction) / dot(direction, direction);
+        const dvec3 along = direction / dot(direction, direction);
+        const dvec3 t_of(-dot(from_a, along), dot(edge_b - from_a, along), dot(edge_c - from_a, along));
+        t = glm::clamp(t, std::min({t_of.x, t_of.y, t_of.z}), std::max({t_of.x, t_of.y, t_of.z}));
+        if (!contains(ray, float(t))) return std::nullopt;
     }
-    return {float(t), float(u), float(v)};
+    return TriangleHit{float(t), float(u), float(v)};
 }
 
 /// A ray as spheres need it.

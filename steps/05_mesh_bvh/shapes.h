@@ -90,7 +90,6 @@ inline const Quad* quad_of(const Shapes& shapes, std::uint32_t i) {
 /// double, as above. So all ways give the same picture.
 inline void search_wide(const Shapes& shapes, Ray& ray, Met& met) {
     const auto shorten = [&](float t, auto found) {
-        if (!contains(ray, t)) return;
         ray.t_max = t;
         met = found;
     };
@@ -100,9 +99,11 @@ inline void search_wide(const Shapes& shapes, Ray& ray, Met& met) {
     });
     nearest(shapes.wide_triangles, ray, [&](const TriangleBlock& block, std::size_t lane) {
         const std::uint32_t i = block.shape[lane];
-        if (const Quad* quad = quad_of(shapes, i)) return shorten(float(plane_t(*quad, ray)), quad);
-        const TriangleHit hit = meeting(corners_at(block, lane), ray);
-        shorten(hit.t, MeshHit{&shapes.mesh, i, hit.u, hit.v});
+        if (const Quad* quad = quad_of(shapes, i)) {
+            if (const float t = float(plane_t(*quad, ray)); contains(ray, t)) shorten(t, quad);
+        } else if (const auto hit = meeting(corners_at(block, lane), ray)) {
+            shorten(hit->t, MeshHit{&shapes.mesh, i, hit->u, hit->v});
+        }
     });
 }
 
@@ -132,9 +133,8 @@ inline bool occluded_wide(const Shapes& shapes, const Ray& ray) {
     return any_hit(shapes.wide_triangles, ray,
                    [&](const TriangleBlock& block, std::size_t lane) {
                        const Quad* quad = quad_of(shapes, block.shape[lane]);
-                       const float t =
-                           quad ? float(plane_t(*quad, ray)) : meeting(corners_at(block, lane), ray).t;
-                       return contains(ray, t);
+                       return quad ? contains(ray, float(plane_t(*quad, ray)))
+                                   : meeting(corners_at(block, lane), ray).has_value();
                    }) ||
            any_hit(shapes.wide_spheres, ray, [&](const SphereBlock& block, std::size_t lane) {
                return intersect(shapes.spheres[block.shape[lane]], ray).has_value();

@@ -32,17 +32,17 @@ inline Ours build_ours(const Mesh& mesh, int threads) {
 inline Found nearest(const Ours& ours, Ray ray) {
     Found found;
     rt::nearest(ours, ray, [&](const TriangleBlock& block, std::size_t lane) {
-        const TriangleHit hit = meeting(corners_at(block, lane), ray);
-        if (!contains(ray, hit.t)) return;
-        ray.t_max = hit.t;
-        found = {hit.t, hit.u, hit.v, block.shape[lane]};
+        if (const auto hit = meeting(corners_at(block, lane), ray)) {
+            ray.t_max = hit->t;
+            found = {hit->t, hit->u, hit->v, block.shape[lane]};
+        }
     });
     return found;
 }
 
 inline bool any_hit(const Ours& ours, const Ray& ray) {
     return rt::any_hit(ours, ray, [&](const TriangleBlock& block, std::size_t lane) {
-        return contains(ray, meeting(corners_at(block, lane), ray).t);
+        return meeting(corners_at(block, lane), ray).has_value();
     });
 }
 
