@@ -5,11 +5,11 @@
 #include "assets/obj_writer.h"
 #include "assets/teapot.h"
 #include "assets/test_card.h"
+#include "common/complain.h"
 
 #include <CLI/CLI.hpp>
 
 #include <filesystem>
-#include <iostream>
 
 namespace rt::assets {
 namespace {
@@ -76,8 +76,7 @@ int run(int argc, char** argv) {
     } catch (const CLI::Success& help) {
         return app.exit(help);
     } catch (const std::exception& problem) {
-        std::cerr << "make_assets: " << problem.what() << '\n';
-        return 2;
+        return complain("make_assets", problem.what());
     }
     return 0;
 }

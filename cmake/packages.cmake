@@ -46,14 +46,21 @@ target_compile_definitions(rt_glm INTERFACE GLM_FORCE_EXPLICIT_CTOR)
 rt_package(stb HEADER stb_image.h SUFFIX stb
     REPOSITORY https://github.com/nothings/stb.git
     COMMIT 31c1ad37456438565541f4919958214b6e762fb4) # image 2.30
-# Below 2.28 a crafted JPEG writes out of bounds: leave JPEG out there.
+# Below 2.28 a crafted JPEG writes out of bounds: there libjpeg reads JPEGs, if the system has it.
 file(STRINGS ${stb_INCLUDE}/stb_image.h stb_version LIMIT_COUNT 1 REGEX "stb_image - v[0-9.]+")
 string(REGEX MATCH "v([0-9.]+)" stb_version "${stb_version}")
 if(CMAKE_MATCH_1 VERSION_GREATER_EQUAL 2.28)
     target_compile_definitions(rt_stb INTERFACE RT_STB_JPEG=1)
 else()
-    target_compile_definitions(rt_stb INTERFACE RT_STB_JPEG=0)
-    message(STATUS "stb_image ${CMAKE_MATCH_1} does not read every JPEG safely: JPEG textures are left out")
+    find_package(JPEG QUIET)
+    if(JPEG_FOUND)
+        message(STATUS "Package jpeg: the system's ${JPEG_VERSION} (${JPEG_INCLUDE_DIR})")
+        target_compile_definitions(rt_stb INTERFACE RT_LIBJPEG=1)
+        target_link_libraries(rt_stb INTERFACE JPEG::JPEG)
+    else()
+        message(STATUS "stb_image ${CMAKE_MATCH_1} does not read every JPEG safely, and there is no libjpeg: JPEG "
+                       "textures are left out (on Debian: apt-get install libjpeg62-turbo-dev)")
+    endif()
 endif()
 
 rt_package(tinyobj HEADER tiny_obj_loader.h FIND tinyobjloader TARGET tinyobjloader::tinyobjloader

@@ -6,7 +6,10 @@
 # A learner's workshop/03_mirror/mirror.h takes the place of steps/03_mirror/mirror.h. A new file earlier on the
 # include path rebuilds nothing by itself: whatever would include it has the names of its own headers of the workshop
 # as a compile definition, which does.
-file(GLOB workshop_headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/workshop workshop/*/*.h)
+# Only names that steps/ has count, asked for one by one: CMake chokes on others, as on a".h.
+file(GLOB step_headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/steps steps/*/*.h)
+list(TRANSFORM step_headers PREPEND workshop/ OUTPUT_VARIABLE places)
+file(GLOB workshop_headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/workshop ${places})
 
 # What the sources include, by way of whatever they include: `own` becomes the headers of the workshop among them, `parts`
 # the sources of steps that stand beside one of them (shapes.cpp beside shapes.h).
@@ -17,7 +20,7 @@ function(find_includes sources own parts)
     set(queue ${sources})
     while(queue)
         list(POP_FRONT queue file)
-        file(STRINGS ${file} lines REGEX "^[ \t]*#[ \t]*include[ \t]*\"([0-9][0-9]_|tests/|tools/)[^\"]*\"")
+        file(STRINGS ${file} lines REGEX "^[ \t]*#[ \t]*include[ \t]*\"([0-9][0-9]_|tests/|tools/)[^]\";#$[]*\"")
         foreach(line IN LISTS lines)
             string(REGEX REPLACE "^[^\"]*\"([^\"]*)\".*$" "\\1" header "${line}")
             foreach(folder workshop/ steps/ "")

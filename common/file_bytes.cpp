@@ -5,10 +5,12 @@
 #include "common/error.h"
 
 #include <atomic>
+#include <cerrno>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <random>
+#include <system_error>
 
 namespace rt {
 namespace {
@@ -23,28 +25,37 @@ std::string megabytes(std::uintmax_t bytes) {
     return std::to_string(bytes >> 20) + " MB";
 }
 
-/// Where the bytes go in the end: a link stays a link, and the file that it names is replaced.
+std::string reason_of(const std::error_code& failure) {
+    return " (" + failure.message() + ")";
+}
+
+/// What the system said last.
+std::error_code last_failure() {
+    return {errno, std::generic_category()};
+}
+
+/// Where the bytes go in the end: a link stays a link, and the file that it names is written, even if it does
+/// not exist yet. A file with several names (hard links) is replaced under this name alone.
 fs::path final_place(const std::string& path) {
-    std::error_code ignored;
-    const fs::path target = fs::canonical(path, ignored);
-    return ignored ? fs::path(path) : target;
+    fs::path place = path;
+    std::error_code failure;
+    for (int links = 0; fs::is_symlink(fs::symlink_status(place, failure)); ++links) {
+        if (links == 40) throw Error(path + ": its links lead in a circle; choose another name");
+        place = place.parent_path() / fs::read_symlink(place, failure);
+    }
+    return place;
 }
 
-/// A name beside `place` that no other program picks at the same time.
-fs::path temporary_beside(const fs::path& place) {
-    static const char digits[] = "0123456789abcdef";
-    std::random_device device;
-    std::string suffix = ".";
-    for (int i = 0; i < 12; ++i) suffix += digits[device() % 16];
-    fs::path temporary = place;
-    temporary += suffix + ".part";
-    return temporary;
+fs::path folder_of(const fs::path& place) {
+    return place.has_parent_path() ? place.parent_path() : fs::path(".");
 }
 
-/// Removes the temporary file unless it has been renamed.
+/// A file beside `place` that takes its name once it is complete, and is removed otherwise. Its own name is
+/// short, since that of `place` may be as long as the system allows, and random, so that it is nobody else's.
 class Temporary {
   public:
-    explicit Temporary(const fs::path& place) : name(temporary_beside(place).string()) {
+    explicit Temporary(const fs::path& place_)
+        : place(place_), name((folder_of(place) / ("raysteps-" + random_digits() + ".part")).string()) {
         unfinished_file = name.c_str();
     }
     ~Temporary() {
@@ -55,25 +66,35 @@ class Temporary {
     Temporary(const Temporary&) = delete;
     Temporary& operator=(const Temporary&) = delete;
 
-    bool write(std::string_view bytes) const {
-        std::ofstream stream(fs::path(name), std::ios::binary | std::ios::trunc);
-        stream.write(bytes.data(), std::streamsize(bytes.size()));
-        stream.close(); // the last bytes go to the disk here, and a full disk says so here
-        return bool(stream);
+    /// Gives the file the permissions of the old one, then the bytes. Returns what went wrong.
+    std::error_code write(std::string_view bytes) const {
+        std::FILE* const file = std::fopen(name.c_str(), "wbx");
+        if (!file) return last_failure();
+        std::error_code failure;
+        const fs::file_status old = fs::status(place, failure);
+        if (fs::exists(old)) fs::permissions(name, old.permissions(), failure);
+        failure.clear(); // a file system without permissions is none of our business
+        if (std::fwrite(bytes.data(), 1, bytes.size(), file) != bytes.size()) failure = last_failure();
+        const bool closed = std::fclose(file) == 0; // the last bytes go to the disk here
+        return failure || closed ? failure : last_failure();
     }
-    void rename_to(const fs::path& place, std::error_code& failure) {
+    std::error_code rename() {
+        std::error_code failure;
         fs::rename(name, place, failure);
         renamed = !failure;
+        return failure;
     }
 
   private:
-    std::string name;
+    const fs::path place;
+    const std::string name;
     bool renamed = false;
 };
 
 void check_target(const std::string& path, const fs::path& place) {
-    std::error_code ignored;
-    const fs::file_status status = fs::status(place, ignored);
+    std::error_code failure;
+    const fs::file_status status = fs::status(place, failure);
+    if (status.type() == fs::file_type::none) throw Error(path + ": cannot be written" + reason_of(failure));
     if (fs::is_directory(status)) throw Error(path + ": is a folder; name a file in it");
     if (!fs::exists(status)) return;
     if (!fs::is_regular_file(status))
@@ -83,11 +104,20 @@ void check_target(const std::string& path, const fs::path& place) {
 }
 
 void check_folder(const std::string& path, const fs::path& place) {
-    const fs::path folder = place.has_parent_path() ? place.parent_path() : fs::path(".");
+    const fs::path folder = folder_of(place);
     std::error_code ignored;
     if (!fs::exists(folder, ignored))
         throw Error(path + ": the folder " + folder.string() + " does not exist; create it first");
     if (!fs::is_directory(folder, ignored)) throw Error(path + ": " + folder.string() + " is not a folder");
+}
+
+/// Throws Error unless something may be put at `path`; returns where it goes.
+fs::path checked_place(const std::string& path) {
+    const fs::path place = final_place(path);
+    check_folder(path, place);
+    if (!place.has_filename()) throw Error(path + ": is a folder; name a file in it");
+    check_target(path, place);
+    return place;
 }
 
 } // namespace
@@ -98,10 +128,10 @@ InputFile::InputFile(const std::string& path_, std::uintmax_t most_bytes) : path
     if (status.type() == fs::file_type::not_found)
         throw Error(path + ": no such file; check the name and the folder");
     if (fs::is_directory(status)) throw Error(path + ": is a folder, not a file");
-    if (failure) throw Error(path + ": cannot be read (" + failure.message() + ")");
+    if (failure) throw Error(path + ": cannot be read" + reason_of(failure));
     if (!fs::is_regular_file(status)) throw Error(path + ": is a device or a pipe, not a plain file");
     left = fs::file_size(path, failure);
-    if (failure) throw Error(path + ": cannot be read (" + failure.message() + ")");
+    if (failure) throw Error(path + ": cannot be read" + reason_of(failure));
     if (left > most_bytes)
         throw Error(path + ": is too large (" + megabytes(left) + ", at most " + megabytes(most_bytes) + ")");
     stream.open(fs::path(path), std::ios::binary);
@@ -121,26 +151,27 @@ std::string read_file(const std::string& path, std::uintmax_t most_bytes) {
     return bytes;
 }
 
+std::string random_digits() {
+    static const char digits[] = "0123456789abcdef";
+    std::random_device device;
+    std::string text;
+    for (int i = 0; i < 12; ++i) text += digits[device() % 16];
+    return text;
+}
+
 void check_file_writable(const std::string& path) {
-    const fs::path place = final_place(path);
-    check_folder(path, place);
-    if (!place.has_filename()) throw Error(path + ": is a folder; name a file in it");
-    check_target(path, place);
-    if (!Temporary(place).write(""))
-        throw Error(path + ": cannot be written; is writing allowed in that folder?");
+    if (const std::error_code failure = Temporary(checked_place(path)).write(""))
+        throw Error(path + ": cannot be written" + reason_of(failure) + "; choose another folder");
 }
 
 void write_file(const std::string& path, std::string_view bytes) {
-    const fs::path place = final_place(path);
-    check_folder(path, place);
-    check_target(path, place);
-    Temporary temporary(place);
-    if (!temporary.write(bytes))
-        throw Error(path +
-                    ": cannot be written; is the disk full? (an older file of that name is untouched)");
-    std::error_code failure;
-    temporary.rename_to(place, failure);
-    if (failure) throw Error(path + ": cannot be put in place (" + failure.message() + ")");
+    Temporary temporary(checked_place(path));
+    const std::error_code failure = temporary.write(bytes);
+    if (failure)
+        throw Error(path + ": cannot be written" + reason_of(failure) +
+                    "; an older file of that name is untouched");
+    if (const std::error_code refused = temporary.rename())
+        throw Error(path + ": cannot be put in place" + reason_of(refused));
 }
 
 void discard_unfinished_file() noexcept {

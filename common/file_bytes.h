@@ -29,11 +29,15 @@ class InputFile {
 /// more than `most_bytes`.
 std::string read_file(const std::string& path, std::uintmax_t most_bytes = std::uintmax_t(1) << 36);
 
+/// Twelve random hexadecimal digits, for a name that no other program chooses.
+std::string random_digits();
+
 /// Throws Error if write_file could not put a file at `path`. Leaves no trace.
 void check_file_writable(const std::string& path);
 
-/// Writes a temporary file in the same folder, makes sure that every byte arrived, and renames it. Whatever
-/// goes wrong, the old file stays as it was and the temporary one is gone. Throws Error.
+/// Writes a temporary file in the same folder, makes sure that every byte arrived, and renames it. If that
+/// fails, the old file stays as it was and the temporary one is gone. A link stays a link: the file that it
+/// names is written. The permissions of an old file stay. Throws Error with the system's reason.
 void write_file(const std::string& path, std::string_view bytes);
 
 /// For a signal handler that ends the program: removes the temporary file of a write_file that is under way.

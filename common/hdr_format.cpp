@@ -4,11 +4,13 @@
 #include "common/hdr_format.h"
 
 #include "common/error.h"
-#include "common/image_file.h"
+#include "common/obj/scan.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
+#include <sstream>
 #include <vector>
 
 namespace rt {
@@ -102,17 +104,40 @@ int size_after(std::string_view& text, std::string_view name) {
     return size;
 }
 
+/// What a picture's pixels were multiplied by, as the lines of its header say.
+struct Exposure {
+    vec3 factor{1.0f};
+
+    /// Follows `line` if it is of the form "EXPOSURE= 2" or "COLORCORR= 1 .9 1".
+    void follow(std::string_view line) {
+        const bool is_colour = line.substr(0, 10) == "COLORCORR=";
+        if (!is_colour && line.substr(0, 9) != "EXPOSURE=") return;
+        std::istringstream numbers(std::string(line.substr(line.find('=') + 1)));
+        vec3 further(0.0f);
+        numbers >> further.x;
+        further = vec3(further.x);
+        if (is_colour) numbers >> further.y >> further.z;
+        factor *= further;
+        const auto is_sound = [](float f) { return f > 1e-20f && f < 1e20f; };
+        if (numbers.fail() || !is_sound(factor.x) || !is_sound(factor.y) || !is_sound(factor.z))
+            throw Error("has a wrong line " + in_quotes(line));
+    }
+    vec3 undone(vec3 colour) const { return min(colour / factor, vec3(std::numeric_limits<float>::max())); }
+};
+
 /// An image of the size that the header states, still black.
-Image decode_header(Reader& reader) {
+Image decode_header(Reader& reader, std::int64_t pixels_left, Exposure& exposure) {
     const std::string_view magic = reader.line();
     if (magic != "#?RADIANCE" && magic != "#?RGBE") throw Error("is not a Radiance .hdr file");
-    for (std::string_view line = reader.line(); !line.empty(); line = reader.line())
+    for (std::string_view line = reader.line(); !line.empty(); line = reader.line()) {
+        exposure.follow(line);
         if (line.substr(0, 7) == "FORMAT=" && line != "FORMAT=32-bit_rle_rgbe")
             throw Error("has a pixel format other than 32-bit_rle_rgbe");
+    }
     std::string_view size = reader.line();
     const int height = size_after(size, "-Y ");
     const int width = size_after(size, " +X ");
-    if (const std::string why = size_problem(width, height); !why.empty()) throw Error(why);
+    if (const std::string why = size_problem(width, height, pixels_left); !why.empty()) throw Error(why);
     // A run says at most 127 values in two bytes: so a small file cannot ask for a large picture.
     if (reader.rest.size() / 2 < std::size_t(width) * std::size_t(height) * 4 / 128)
         throw Error("is cut short");
@@ -170,19 +195,21 @@ std::string encode_hdr(const Image& image) {
                       std::to_string(image.width) + "\n";
     std::vector<Rgbe> row(std::size_t(image.width));
     for (int y = 0; y < image.height; ++y) {
-        for (int x = 0; x < image.width; ++x) row[std::size_t(x)] = rgbe_from_linear(image(x, y));
+        for (int x = 0; x < image.width; ++x) row[std::size_t(x)] = rgbe_from_linear(visible(image(x, y)));
         encode_row(row, out);
     }
     return out;
 }
 
-Image decode_hdr(std::string_view bytes) {
+Image decode_hdr(std::string_view bytes, std::int64_t pixels_left) {
     Reader reader{bytes};
-    Image image = decode_header(reader);
+    Exposure exposure;
+    Image image = decode_header(reader, pixels_left, exposure);
     std::vector<Rgbe> row(std::size_t(image.width));
     for (int y = 0; y < image.height; ++y) {
         decode_row(reader, row);
-        for (int x = 0; x < image.width; ++x) image(x, y) = linear_from_rgbe(row[std::size_t(x)]);
+        for (int x = 0; x < image.width; ++x)
+            image(x, y) = exposure.undone(linear_from_rgbe(row[std::size_t(x)]));
     }
     return image;
 }

@@ -2,7 +2,7 @@
 // 1991).
 #pragma once
 
-#include "common/image.h"
+#include "common/image_file.h"
 
 #include <array>
 #include <cstdint>
@@ -18,10 +18,12 @@ using Rgbe = std::array<std::uint8_t, 4>;
 Rgbe rgbe_from_linear(vec3 colour);
 vec3 linear_from_rgbe(Rgbe rgbe);
 
-/// A whole .hdr file, run-length encoded.
+/// A whole .hdr file, run-length encoded; magenta where a pixel is not finite.
 std::string encode_hdr(const Image& image);
 
-/// Throws Error with the reason for what is damaged, cut short or too large. Never reads past the end.
-Image decode_hdr(std::string_view bytes);
+/// Radiance: what EXPOSURE and COLORCORR lines multiplied the pixels by is divided out again. Throws Error
+/// with the reason for what is damaged, cut short or too large (see size_problem()). Never reads past the
+/// end.
+Image decode_hdr(std::string_view bytes, std::int64_t pixels_left = most_pixels);
 
 } // namespace rt

@@ -38,4 +38,9 @@ inline bool is_finite(vec3 v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
+/// Returns what a file shows of a colour: magenta if it is not finite.
+inline vec3 visible(vec3 colour) {
+    return is_finite(colour) ? colour : vec3(1, 0, 1);
+}
+
 } // namespace rt

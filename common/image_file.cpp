@@ -1,13 +1,11 @@
-// Pictures on disk: PNG through stb, .hdr through our own code, and the sRGB curve between light and bytes.
+// Pictures on disk, as light: PNG through stb, .hdr through our own code, and the sRGB curve between.
 #include "common/image_file.h"
 
 #include "common/error.h"
 #include "common/file_bytes.h"
 #include "common/hdr_format.h"
 
-#define STBI_NO_STDIO
 #define STBI_WRITE_NO_STDIO
-#include <stb_image.h>
 #include <stb_image_write.h>
 
 #include <algorithm>
@@ -15,7 +13,6 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
-#include <memory>
 
 namespace rt {
 namespace {
@@ -55,7 +52,8 @@ std::string encode_png(const std::string& path, const Image& image) {
     std::vector<std::uint8_t> codes;
     codes.reserve(image.pixels.size() * 3);
     for (const vec3& pixel : image.pixels) {
-        for (int channel = 0; channel < 3; ++channel) codes.push_back(srgb_code(pixel[channel]));
+        const vec3 colour = visible(pixel);
+        for (int channel = 0; channel < 3; ++channel) codes.push_back(srgb_code(colour[channel]));
     }
     std::string bytes;
     const auto append = [](void* context, void* data, int size) {
@@ -64,39 +62,6 @@ std::string encode_png(const std::string& path, const Image& image) {
     if (!stbi_write_png_to_func(append, &bytes, image.width, image.height, 3, codes.data(), image.width * 3))
         throw Error(path + ": the picture could not be encoded; is there too little memory?");
     return bytes;
-}
-
-Image without_wrong_numbers(Image image) {
-    for (vec3& pixel : image.pixels) {
-        if (!is_finite(pixel)) pixel = vec3(1, 0, 1);
-    }
-    return image;
-}
-
-Error undecodable(const std::string& path) {
-    const char* const said = stbi_failure_reason();
-    std::string reason = said && *said ? said : "no reason given";
-    const auto is_odd = [](char c) { return c < ' ' || c > '~'; }; // stb quotes the file's own bytes
-    std::replace_if(reason.begin(), reason.end(), is_odd, '?');
-    return Error(path + ": is damaged or not a picture of a kind that is read here (" + reason +
-                 "); save it as PNG again");
-}
-
-/// The values of `bytes`, three a pixel, as `Value`s of 8 or 16 bits.
-template <typename Value, typename Load>
-Bitmap decode(const std::string& path, const std::string& bytes, int scale, Load load) {
-    Bitmap bitmap;
-    int channels = 0;
-    const std::unique_ptr<Value, void (*)(void*)> values(load(reinterpret_cast<const stbi_uc*>(bytes.data()),
-                                                              int(bytes.size()), &bitmap.width,
-                                                              &bitmap.height, &channels, 3),
-                                                         stbi_image_free);
-    if (!values) throw undecodable(path);
-    const std::size_t count = std::size_t(bitmap.width) * std::size_t(bitmap.height) * 3;
-    bitmap.values.resize(count);
-    std::transform(values.get(), values.get() + count, bitmap.values.begin(),
-                   [scale](Value value) { return std::uint16_t(value * scale); });
-    return bitmap;
 }
 
 Image decode_linear(const std::string& path, const std::string& bytes) {
@@ -109,14 +74,19 @@ Image decode_linear(const std::string& path, const std::string& bytes) {
 
 } // namespace
 
-std::string size_problem(int width, int height) {
+std::string size_problem(int width, int height, std::int64_t pixels_left) {
     const std::string size = std::to_string(width) + " x " + std::to_string(height);
+    const auto millions = [](std::int64_t pixels) { return std::to_string(pixels / 1'000'000) + " million"; };
+    const std::int64_t pixels = std::int64_t(width) * height;
     if (width < 1 || height < 1) return "has no pixels (" + size + ")";
     if (width > largest_side || height > largest_side)
         return "is too large (" + size + ", at most " + std::to_string(largest_side) + " a side)";
-    if (std::int64_t(width) * height > most_pixels)
-        return "is too large (" + size + ", at most " + std::to_string(most_pixels >> 20) +
-               " million pixels)";
+    if (pixels > most_pixels)
+        return "is too large (" + size + ", at most " + millions(most_pixels) + " pixels)";
+    if (pixels > pixels_left)
+        return "is too large (" + size + ": all textures of a model may have " +
+               millions(most_texture_pixels) + " pixels together, or 2 GB, and " + millions(pixels_left) +
+               " are left)";
     return "";
 }
 
@@ -129,13 +99,19 @@ void write_image(const std::string& path, const Image& image) {
     check_ending(path);
     if (const std::string why = size_problem(image.width, image.height); !why.empty())
         throw Error(path + ": the picture " + why);
-    const Image finite = without_wrong_numbers(image);
-    write_file(path, lower_ending(path) == ".png" ? encode_png(path, finite) : encode_hdr(finite));
+    write_file(path, lower_ending(path) == ".png" ? encode_png(path, image) : encode_hdr(image));
+}
+
+std::size_t memory_to_write(int width, int height) {
+    // A pixel of a PNG takes 3 bytes as codes, 3 filtered, and up to 9 where stb's compressed copy grows. Its
+    // hash table takes some MB.
+    return std::size_t(width) * std::size_t(height) * 16 + (std::size_t(8) << 20);
 }
 
 Image read_image(const std::string& path) {
     if (lower_ending(path) == ".hdr") return decode_linear(path, read_file(path, largest_file));
     const Bitmap bitmap = read_bitmap(path);
+    if (!bitmap.flaw.empty()) throw Error(path + ": " + bitmap.flaw);
     static const std::vector<float> linear = linear_table();
     Image image(bitmap.width, bitmap.height);
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
@@ -143,18 +119,6 @@ Image read_image(const std::string& path) {
         image.pixels[i] = {linear[value[0]], linear[value[1]], linear[value[2]]};
     }
     return image;
-}
-
-Bitmap read_bitmap(const std::string& path) {
-    const std::string bytes = read_file(path, largest_file);
-    if (bytes.empty()) throw Error(path + ": is empty");
-    const auto* const data = reinterpret_cast<const stbi_uc*>(bytes.data());
-    int width = 0, height = 0, channels = 0;
-    if (!stbi_info_from_memory(data, int(bytes.size()), &width, &height, &channels)) throw undecodable(path);
-    if (const std::string why = size_problem(width, height); !why.empty()) throw Error(path + ": " + why);
-    if (stbi_is_16_bit_from_memory(data, int(bytes.size())))
-        return decode<std::uint16_t>(path, bytes, 1, stbi_load_16_from_memory);
-    return decode<std::uint8_t>(path, bytes, 257, stbi_load_from_memory);
 }
 
 std::string absolute_path(const std::string& path) {

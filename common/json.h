@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/file_bytes.h"
+#include "common/utf8.h"
 
 #include <cmath>
 #include <cstdint>
@@ -13,11 +14,21 @@
 
 namespace rt {
 
+/// A JSON string, quotes included. Control characters are escaped; bytes that are not UTF-8 become U+FFFD.
 inline std::string json_text(std::string_view text) {
     std::string out = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') out += '\\';
-        if (c >= ' ') out += c;
+    while (!text.empty()) {
+        const std::size_t length = character_length(text);
+        const char c = text[0];
+        char escape[8];
+        std::snprintf(escape, sizeof escape, "\\u%04x", unsigned(c) & 0xFF);
+        if (length == 0)
+            out += "\xEF\xBF\xBD";
+        else if ((length == 1 && c < ' ') || c == '\x7F')
+            out += escape;
+        else
+            out.append(c == '"' || c == '\\' ? "\\" : "").append(text.substr(0, length));
+        text.remove_prefix(length == 0 ? 1 : length);
     }
     return out + "\"";
 }

@@ -21,6 +21,7 @@
 #include <utility>
 
 #if __has_include(<unistd.h>)
+#include <sys/resource.h>
 #include <unistd.h>
 #endif
 
@@ -31,8 +32,7 @@ namespace {
 constexpr int longest_side =
     65536; // of the whole picture; what is rendered of it ends at the writers' largest_side
 constexpr int most_samples = 1 << 20;
-constexpr std::int64_t bytes_per_pixel =
-    56; // Film: two times 12; writing: 12 for a copy, about 20 for the PNG
+constexpr std::int64_t bytes_per_film_pixel = 24; // two images
 
 using Reader = std::function<void(const std::string& text)>;
 
@@ -220,12 +220,15 @@ std::string read_output_name(const std::string& flag, const std::string& text) {
 
 // ---- the picture as a whole ----
 
-/// Bytes of memory in this machine, 0 where it cannot be told.
-std::int64_t physical_memory() {
+/// Bytes of memory that this program may have: the machine's, or less by `ulimit -v`. 0 if it is unknown.
+std::int64_t usable_memory() {
 #if defined(_SC_PHYS_PAGES) && defined(_SC_PAGESIZE)
     const std::int64_t pages = sysconf(_SC_PHYS_PAGES);
     const std::int64_t page = sysconf(_SC_PAGESIZE);
-    return pages > 0 && page > 0 ? pages * page : 0;
+    const std::int64_t machine = pages > 0 && page > 0 ? pages * page : 0;
+    rlimit limit{};
+    const bool limited = getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur < rlim_t(machine);
+    return limited ? std::int64_t(limit.rlim_cur) : machine;
 #else
     return 0;
 #endif
@@ -248,13 +251,14 @@ void check_crop(const Picture& picture, const std::string& typed) {
 
 void check_size(const Crop& crop) {
     const int width = crop.x1 - crop.x0, height = crop.y1 - crop.y0;
-    const std::int64_t needed = std::int64_t(width) * height * bytes_per_pixel; // at most 2^32 * 56
-    const std::int64_t memory = physical_memory();
+    const std::int64_t needed =
+        std::int64_t(width) * height * bytes_per_film_pixel + std::int64_t(memory_to_write(width, height));
+    const std::int64_t memory = usable_memory();
     const std::string advice = ": make --width and --height smaller, or render a part with --crop";
     if (memory > 0 && needed > memory)
         throw Error("the picture, " + std::to_string(width) + " x " + std::to_string(height) +
-                    " pixels, needs " + gigabytes(needed) + " of memory and this machine has " +
-                    gigabytes(memory) + advice);
+                    " pixels, needs " + gigabytes(needed) + " of memory and " + gigabytes(memory) +
+                    " may be used" + advice);
     if (const std::string problem = size_problem(width, height); !problem.empty())
         throw Error("the picture " + problem + advice);
 }
@@ -357,7 +361,8 @@ void Options::Parser::add_output() {
          "also write the variance of each pixel's mean luminance: NAME.hdr; needs --samples 2 or more", "",
          "none",
          [this](const std::string& text) { picture.variance = read_output_name("--variance", text); }});
-    whole(output, "threads", picture.threads, 0, 1024, "threads to render with, 0 for one a core");
+    whole(output, "threads", picture.threads, 0, 1024,
+          "threads to render with; 0: as many as the cores that it may use");
     add(output, {"quiet", "", "print only the names of the files written, and errors", "", "",
                  [this](const std::string&) { picture.quiet = true; }});
 }

@@ -23,7 +23,7 @@ struct Picture {
     int width = 640;
     int height = 400;
     int samples = 1;        ///< a pixel
-    int threads = 0;        ///< 0: all cores
+    int threads = 0;        ///< 0: as many as usable_cores()
     std::uint64_t seed = 1; ///< another seed, other noise
     Crop crop{};            ///< the whole picture unless --crop says otherwise
     std::string out{};      ///< NAME.png, NAME.hdr, or NAME for both

@@ -2,6 +2,8 @@
 // that time a tree of a thousand triangles is built.
 #include "common/parallel.h"
 
+#include "common/cores.h"
+
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
@@ -73,7 +75,7 @@ class Pool {
     std::atomic<unsigned> changes = 0;
     std::deque<Task*> offered; ///< and not yet begun
     std::vector<std::thread> workers;
-    std::atomic<int> allowed = std::max(1, int(std::thread::hardware_concurrency())) - 1;
+    std::atomic<int> allowed = usable_cores() - 1;
     bool ending = false;
 
     void offer(Task& task) {
@@ -136,7 +138,7 @@ Pool pool;
 } // namespace
 
 void use_threads(int count) {
-    pool.allow(count > 0 ? count : std::max(1, int(std::thread::hardware_concurrency())));
+    pool.allow(count > 0 ? count : usable_cores());
 }
 
 void both(const std::function<void()>& first, const std::function<void()>& second) {

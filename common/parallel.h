@@ -6,8 +6,8 @@
 
 namespace rt {
 
-/// How many threads all of the calls below may use together, the calling one included; 0: one a core. Said
-/// once, before any work.
+/// How many threads all of the calls below may use together, the calling one included; 0: usable_cores().
+/// Said once, before any work.
 void use_threads(int count);
 
 /// Does both, in any order or at the same time. Either may call both() again. What one of them throws is

@@ -2,6 +2,7 @@
 
 #include "common/program.h"
 
+#include "common/big_vector.h"
 #include "common/complain.h"
 #include "common/error.h"
 #include "common/file_bytes.h"
@@ -43,8 +44,9 @@ using Clock = std::chrono::steady_clock;
 
 std::atomic<const char*> last_words = ""; ///< what Ctrl-C leaves on stderr, complete with its line end
 
-// Runs in the middle of anything: it may only call what POSIX lists as safe in a signal handler.
-extern "C" void stop(int) {
+// Runs in the middle of anything: it may only call what POSIX lists as safe in a signal handler. The program
+// then dies of the signal, as it would without a handler, so that a shell sees which one it was.
+extern "C" void stop(int number) {
     discard_unfinished_file();
     const char* const words = last_words.load();
 #if defined(_WIN32)
@@ -52,7 +54,8 @@ extern "C" void stop(int) {
 #else
     [[maybe_unused]] const auto written = write(2, words, std::strlen(words));
 #endif
-    std::_Exit(130);
+    std::signal(number, SIG_DFL);
+    std::raise(number); // on POSIX it is delivered when this function returns
 }
 
 /// While one lives, Ctrl-C, kill and a closed terminal end the program with a message. It is installed even
@@ -108,8 +111,12 @@ struct Outputs {
     std::string variance; ///< or empty
 };
 
+/// In small letters, with its dot.
 std::string ending(const std::string& path) {
-    return fs::path(path).extension().string();
+    std::string letters = fs::path(path).extension().string();
+    for (char& c : letters)
+        if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
+    return letters;
 }
 
 std::vector<std::string> picture_files(const std::string& out, const std::string& program) {
@@ -120,7 +127,7 @@ std::vector<std::string> picture_files(const std::string& out, const std::string
                     (fs::path(out) / program).string());
     if (ending(out) == ".png" || ending(out) == ".hdr") return {out};
     if (!ending(out).empty())
-        throw Error("--out " + out + " ends in " + ending(out) +
+        throw Error("--out " + out + " ends in " + fs::path(out).extension().string() +
                     ": a picture is NAME.png, NAME.hdr, or NAME alone for both");
     return {out + ".png", out + ".hdr"};
 }
@@ -184,12 +191,11 @@ std::string cost(const Tally& tally, double seconds) {
 
 void warn_not_finite(const std::string& program, const Film& film) {
     if (film.not_finite == 0) return;
-    std::cerr << program + ": warning: " + std::to_string(film.not_finite) +
+    print_error_line(program + ": warning: " + std::to_string(film.not_finite) +
                      (film.not_finite == 1 ? " sample is" : " samples are") +
                      " not finite, the first at pixel " + std::to_string(film.first_x) + "," +
                      std::to_string(film.first_y) + " sample " + std::to_string(film.first_sample + 1) +
-                     ": their pixels are magenta\n"
-              << std::flush;
+                     ": their pixels are magenta");
 }
 
 // ---- the run ----
@@ -212,23 +218,63 @@ Film timed_render(const Picture& picture, const SampleFunction& radiance, double
     return film;
 }
 
-void write_outputs(const Outputs& outputs, const Film& film) {
+/// What is wrong, for a person.
+std::string explained(const std::exception& problem) {
+    const bool no_memory = dynamic_cast<const std::bad_alloc*>(&problem);
+    return no_memory ? "there is not enough memory: ask for a smaller picture or scene" : problem.what();
+}
+
+/// Writes a picture under a new name to the system's temporary folder or, failing that, the home folder.
+/// Returns its path, or "".
+std::string saved_elsewhere(const std::string& program, const std::string& path, const Image& image) {
+    std::error_code ignored;
+    const char* const home = std::getenv("HOME");
+    for (const fs::path& folder : {fs::temp_directory_path(ignored), fs::path(home ? home : "")}) {
+        const std::string place = (folder / (program + "-" + random_digits() + ending(path))).string();
+        try {
+            if (!folder.is_absolute()) continue;
+            write_image(place, image);
+            fs::permissions(place, fs::perms::owner_read | fs::perms::owner_write,
+                            ignored); // others look there
+            return place;
+        } catch (const std::exception&) { // the next folder may have room
+        }
+    }
+    return "";
+}
+
+/// Returns the exit code: 2 if a picture is not where it should be.
+int write_outputs(const std::string& program, const Outputs& outputs, const Film& film) {
     std::string wrote;
-    const auto write = [&wrote](const std::string& path, const Image& image) {
-        write_image(path, image);
-        wrote += "wrote " + absolute_path(path) + "\n";
+    int code = 0;
+    const auto write = [&](const std::string& path, const Image& image) {
+        std::string place = absolute_path(path);
+        try {
+            write_image(path, image);
+        } catch (const std::exception& problem) {
+            place = saved_elsewhere(program, path, image);
+            const std::string fate = place.empty()
+                                         ? "; no other folder takes the new picture either, and it is lost"
+                                         : "; the new picture is " + place;
+            code = complain(program, explained(problem) + fate);
+        }
+        if (!place.empty()) wrote += "wrote " + printable(place) + "\n";
     };
     for (const std::string& path : outputs.pictures) write(path, film.mean);
     if (!outputs.variance.empty()) write(outputs.variance, film.variance);
     std::cout << wrote << std::flush;
+    return code;
 }
 
-void run(const Options& options, const std::function<void(const RenderCall&)>& body,
-         const std::string& own_headers, StopHandler& handler) {
+/// Returns the exit code.
+int run(const Options& options, const std::function<void(const RenderCall&)>& body,
+        const std::string& own_headers, StopHandler& handler) {
     const Picture& picture = options.picture();
     const Outputs outputs = checked_outputs(options);
     say(picture, headline(picture));
-    if (!own_headers.empty()) say(picture, "using your " + own_headers + "\n");
+    if (!own_headers.empty()) say(picture, "using your " + printable(own_headers) + "\n");
+    BigVector<char> spare; // what the writing will need: better refused now than when the picture is finished
+    spare.reserve(memory_to_write(picture.crop.x1 - picture.crop.x0, picture.crop.y1 - picture.crop.y0));
     std::optional<Film> film;
     double render_seconds = 0;
     const Clock::time_point start = Clock::now();
@@ -241,7 +287,8 @@ void run(const Options& options, const std::function<void(const RenderCall&)>& b
     warn_not_finite(options.name(), *film);
     say(picture, cost(film->tally, render_seconds));
     handler.writing_begins();
-    write_outputs(outputs, *film);
+    spare = BigVector<char>();
+    return write_outputs(options.name(), outputs, *film);
 }
 
 } // namespace
@@ -251,18 +298,17 @@ int run_program(Options& options, int argc, const char* const* argv,
     make_streams_safe();
     StopHandler handler(options.name());
     try {
+        int code = 0;
         if (options.parse(argc, argv)) {
             use_threads(options.picture().threads);
-            run(options, body, own_headers, handler);
+            code = run(options, body, own_headers, handler);
         }
         if (!std::cout.flush())
             throw Error(
                 "stdout takes no more text (is the disk full, or did the reader leave?); all else went well");
-        return 0;
-    } catch (const std::bad_alloc&) {
-        return complain(options.name(), "there is not enough memory: ask for a smaller picture or scene");
-    } catch (const std::exception& error) {
-        return complain(options.name(), error.what());
+        return code;
+    } catch (const std::exception& problem) {
+        return complain(options.name(), explained(problem));
     }
 }
 

@@ -20,9 +20,9 @@ using RenderCall = std::function<void(const SampleFunction&)>;
 
 /// Parses the command line; makes sure, before any work, that the output can be written and the picture held
 /// in memory; calls `body`, which builds its scene and calls render(...) once; writes the picture and prints
-/// where it is and what it cost. Returns the exit code: 0, or 2 after one line on stderr for bad input.
-/// Ctrl-C ends the program at once with a message, code 130, and no half-written file. `own_headers` are named
-/// in what it prints.
+/// where it is and what it cost. Returns the exit code: 0, or 2 after one line on stderr for bad input or
+/// for a picture that had to be saved in another place. Ctrl-C, TERM and HUP end the program immediately with
+/// a message and no half-written file; it dies of the signal. `own_headers` are named in what it prints.
 int run_program(Options& options, int argc, const char* const* argv,
                 const std::function<void(const RenderCall& render)>& body,
                 const std::string& own_headers = RT_WORKSHOP);

@@ -3,6 +3,8 @@
 
 #include "common/render.h"
 
+#include "common/cores.h"
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -42,7 +44,7 @@ struct Tiles {
 };
 
 int requested_threads(const Picture& picture) {
-    return picture.threads > 0 ? picture.threads : std::max(1, int(std::thread::hardware_concurrency()));
+    return picture.threads > 0 ? picture.threads : usable_cores();
 }
 
 /// An empty crop, which a Picture has until a command line is parsed, stands for the whole.

@@ -38,7 +38,8 @@ struct Film {
     Tally tally;
 };
 
-/// How many threads render() takes for this picture: as --threads asks, but no more than there are tiles.
+/// How many threads render() takes for this picture: as --threads asks (0: usable_cores()), but no more than
+/// there are tiles.
 int thread_count(const Picture& picture);
 
 /// Renders `picture.crop`. The result does not depend on `threads`; a crop has the bits of that part of the

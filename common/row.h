@@ -21,7 +21,7 @@ inline constexpr int lanes = 4;
 #endif
 
 using Row = float __attribute__((vector_size(4 * lanes)));
-using Mask =
+using IntRow =
     std::int32_t __attribute__((vector_size(4 * lanes))); ///< what comparing rows gives: -1 or 0 a lane
 
 inline Row row(float value) {
@@ -51,7 +51,7 @@ inline Row negative_multiply_add(Row a, Row b, Row c) {
 }
 
 /// Bit i is set where lane i holds.
-inline unsigned bits(Mask mask) {
+inline unsigned bits(IntRow mask) {
 #if defined(__AVX512F__)
     return _mm512_test_epi32_mask(__m512i(mask), __m512i(mask));
 #elif defined(__AVX__)

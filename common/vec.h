@@ -7,6 +7,7 @@
 
 namespace rt {
 
+using glm::dvec3;
 using glm::vec2;
 using glm::vec3;
 

@@ -100,3 +100,40 @@ TEST_CASE("a hundred thousand faces may meet in one point") {
     const double given = seconds();
     CHECK_MESSAGE(given < 4, given, usual);
 }
+
+TEST_CASE("faces of different smoothing groups share no normals, and faces of group 0 are flat") {
+    ObjFile file = empty_file();
+    add_triangle(file, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});     // in the plane z = 0
+    add_triangle(file, {0, 0, 0}, {0, 1, 0}, {-1, 0, 0.2f}); // and three that lean a little
+    add_triangle(file, {0, 0, 0}, {-1, 0, 0.2f}, {0, -1, 0.1f});
+    add_triangle(file, {0, 0, 0}, {0, -1, 0.1f}, {1, 0, 0});
+    const auto face = [&](std::size_t t) { return vec3(area_of(file, file.triangles[t])); };
+    const auto groups = [&](std::vector<int> list) {
+        file.smoothing_groups = std::move(list);
+        return smooth_normals(file, 180);
+    };
+    const auto apart = groups({1, 1, 2, 2});
+    CHECK(apart[0][0] == approx(normalize(face(0) + face(1))));
+    CHECK(apart[1][0] == apart[0][0]);
+    CHECK(apart[3][0] == approx(normalize(face(2) + face(3))));
+    CHECK_MESSAGE(apart[3][2] == approx(normalize(face(3))), "a corner that group 1 has too");
+    const auto flat = groups({0, 0, -1, -1});
+    CHECK(flat[0][0] == approx(normalize(face(0))));
+    CHECK(flat[1][0] == approx(normalize(face(1))));
+    CHECK(flat[2][0] == approx(normalize(face(2) + face(3))));
+    const auto alternating = groups({7, 3, 7, 3});
+    CHECK(alternating[2][0] == approx(normalize(face(0) + face(2))));
+    CHECK(alternating[1][0] == approx(normalize(face(1) + face(3))));
+    const auto together = groups({5, 5, 5, 5}), unstated = groups({});
+    for (std::size_t t = 0; t < 4; ++t)
+        for (std::size_t k = 0; k < 3; ++k) CHECK(together[t][k] == unstated[t][k]);
+}
+
+TEST_CASE("a model that is placed anew is where it is placed, wherever its file had it") {
+    ObjFile file = empty_file();
+    add_triangle(file, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+    file.origin = dvec3(5e5, 0, 5e6);
+    place(file, 2, 0, {1, 2, 3});
+    CHECK(file.origin == dvec3(0));
+    CHECK(file.positions[1] == approx({3, 2, 3}));
+}

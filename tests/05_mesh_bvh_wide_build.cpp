@@ -141,7 +141,7 @@ TEST_CASE("nodes are nearly full: the binary tree is folded in the cheapest way"
 }
 
 TEST_CASE("weights of the fold: a subtree of two leaves takes two places or one node") {
-    const auto weight = [](float area) { return Weight{row(area), Mask{}, Mask{} + 1}; };
+    const auto weight = [](float area) { return Weight{row(area), IntRow{}, IntRow{} + 1}; };
     const Weight small = weight(3), large = weight(12); // leaves
     BinaryNode node{{vec3(0), vec3(3)}};                // 27
     const Weight parent = weigh(node, small, large);
@@ -165,7 +165,7 @@ TEST_CASE("weights of the fold: a subtree of two leaves takes two places or one 
 
 TEST_CASE(
     "weights of the fold: shapes that fit into one block become one, unless two are cheaper and find room") {
-    const auto weight = [](float area) { return Weight{row(area), Mask{}, Mask{} + 1}; };
+    const auto weight = [](float area) { return Weight{row(area), IntRow{}, IntRow{} + 1}; };
     BinaryNode near{{vec3(0), vec3(3)}, nullptr, 0, lanes}; // 27
     const Weight together = weigh(near, weight(20), weight(10));
     for (int places = 1; places < lanes; ++places) {

@@ -44,9 +44,9 @@ TEST_CASE("near a large lamp, however it is looked for, the same light arrives")
                 const Transport transport{1, true, direct, false, spread};
                 const Mean mean =
                     seen(scene, transport, {position + vec3(-9, 0.5f, 0), vec3(9, -0.5f, 0)}, 40'000);
-                INFO((kind == 0   ? "quad, "
-                      : kind == 1 ? "triangle, "
-                                  : "ball, ")
+                INFO(std::string(kind == 0   ? "quad, "
+                                 : kind == 1 ? "triangle, "
+                                             : "ball, ")
                      << words(transport) << ": " << mean.against(0.6 * 3 * factor));
                 INFO("with both ways too bright or too dark: their shares do not add up, or one has "
                      "another's density");

@@ -192,12 +192,44 @@ TEST_CASE("what is written as JSON is read back") {
     CHECK(std::isnan(number_of(field(json, "absent"))));
 }
 
+TEST_CASE("every text comes back from JSON: letters of all languages, control characters, quotes") {
+    std::string text = "caf\u00E9 \u4E2D \U0001F600 \t\n\r\b\f \"\\/\u0085\u2028";
+    for (char c = 0; c < '\x7F'; ++c) text += c;
+    text += '\x7F';
+    CHECK(parse_json(json_text(text)).text == text);
+    CHECK(json_text("\x1f\x7f\t") == "\"\\u001f\\u007f\\u0009\"");
+    CHECK(parse_json("\"\\b\\f\\n\\r\\t\\/\\u0041\"").text == "\b\f\n\r\t/A");
+}
+
+TEST_CASE("bytes that are not UTF-8 come back from JSON as U+FFFD, each of them") {
+    CHECK(parse_json(json_text("caf\xE9!")).text == "caf\uFFFD!");
+    for (int i = 0; i < 0x10000; ++i) {
+        const std::string pair{char(i >> 8), char(i)};
+        const std::string once = parse_json(json_text(pair)).text;
+        const bool valid = once == pair;
+        if (parse_json(json_text(once)).text != once || (!valid && once.find("\uFFFD") == std::string::npos))
+            FAIL("bytes ", i);
+    }
+}
+
 TEST_CASE("what is not JSON is refused, with the place") {
-    for (const char* wrong : {"", "{", "[1,", "{\"a\" 1}", "[1] 2", "nul", "\"open", "{\"a\":}", "{a: 1}"}) {
+    for (const char* wrong : {"", "{", "[1,", "{\"a\" 1}", "[1] 2", "nul", "\"open", "{\"a\":}", "{a: 1}",
+                              "\"\\u00\"", "\"\\u00g0\"", "\"\\u00e9\"", "\"\\"}) {
         CAPTURE(wrong);
         CHECK_THROWS_AS(parse_json(wrong), Error);
     }
     CHECK_THROWS_AS(parse_json(std::string(1000, '[')), Error);
+}
+
+TEST_CASE("numbers of JSON are read in every form that they have, and nothing else is one") {
+    const Json list = parse_json("[0, -0.5, 1e3, 2.5E-1, 12345678901234567]");
+    const std::vector<double> wanted{0, -0.5, 1e3, 0.25, 12345678901234567.0};
+    REQUIRE(list.list.size() == wanted.size());
+    for (std::size_t i = 0; i < wanted.size(); ++i) CHECK(number_of(list.list[i]) == wanted[i]);
+    for (const char* wrong : {"nan", "inf", "-inf", "0x10", "+1", "1e", "1-2", "-", "1e999"}) {
+        CAPTURE(std::string(wrong));
+        CHECK_THROWS_AS(parse_json(wrong), Error);
+    }
 }
 
 namespace {

@@ -2,6 +2,7 @@
 #include "common/error.h"
 #include "tests/check.h"
 #include "tools/tutor/exercises.h"
+#include "tools/tutor/temporary.h"
 #include "tools/weave/region.h"
 #include "tools/weave/weave.h"
 
@@ -115,6 +116,25 @@ TEST_CASE(
     CHECK(complaint_in({"<!-- diff: a b -->", "<!-- end -->", "<!-- a word -->"}) == "");
 }
 
+TEST_CASE(
+    "Sources and pages that are cut short or damaged are complaints, or nothing: never another exception") {
+    for (const char* text : {"alignas(", "requires(", "struct alignas(", "template<int>", "template",
+                             "template <int>   ", "(", "};", "'"})
+        CHECK_MESSAGE(complaint([&] { region(text, "x", "steps/x.h"); }) == "steps/x.h: declares no x", text);
+    for (const char* command :
+         {"x # exit y", "x # exit ", "x # exit 99999999999", "x # exit -1", "x # exit 256"})
+        CHECK_MESSAGE(complaint([&] {
+                          find_commands({"```sh", command}, "docs/x.md");
+                      }) == "docs/x.md:2: after \"# exit \" stands no exit code",
+                      command);
+    CHECK(complaint_in({"<!-- a: -->"}) == "docs/x.md:1: a marker names what belongs there");
+    const TemporaryFolder folder;
+    std::filesystem::create_directories(folder.path / "docs");
+    const std::string far(5000, 'a');
+    const std::string page = "[a](" + far + ") [b](" + far + ".md#c) [d](../docs#e)\n`steps/" + far + "`\n";
+    CHECK(dead_links(folder.path, page, "docs/a.md").size() == 4);
+}
+
 TEST_CASE("Weaving fills the blocks and leaves all else as it is") {
     const std::string page =
         "one\n<!-- listing: a -->\nold\nold\n<!-- end -->\ntwo\n<!-- listing: b -->\n<!-- end -->\n";
@@ -139,7 +159,8 @@ TEST_CASE("The commands of a page are the lines of its shell blocks, with the co
 }
 
 TEST_CASE("Listings, diffs and galleries are made from files, and complain of what is not there") {
-    const std::filesystem::path root = std::filesystem::temp_directory_path() / "raysteps_docs_check";
+    const TemporaryFolder folder;
+    const std::filesystem::path& root = folder.path;
     std::filesystem::create_directories(root / "steps");
     std::ofstream(root / "steps/a.h") << "int f() {\n    //> do it\n    return 2;\n    //< return 0;\n}\n";
     std::ofstream(root / "steps/b.h") << "int f() {\n    return 3;\n}\n";
@@ -149,12 +170,12 @@ TEST_CASE("Listings, diffs and galleries are made from files, and complain of wh
     CHECK_THROWS_AS(made(root, {"diff", "steps/a.h steps/a.h", 0, 0}), Error);
     CHECK_THROWS_AS(made(root, {"listing", "steps/c.h", 0, 0}), Error);
     CHECK_THROWS_AS(made(root, {"gallery", "09_none", 0, 0}), Error);
-    std::filesystem::remove_all(root);
 }
 
 TEST_CASE("A page counts as changed if its commands do, or steps that it can use, but not for its prose or "
           "later steps") {
-    const std::filesystem::path root = std::filesystem::temp_directory_path() / "raysteps_key_check";
+    const TemporaryFolder folder;
+    const std::filesystem::path& root = folder.path;
     const auto write = [&](const std::string& name, const std::string& text) {
         std::filesystem::create_directories((root / name).parent_path());
         std::ofstream(root / name) << text;
@@ -176,11 +197,11 @@ TEST_CASE("A page counts as changed if its commands do, or steps that it can use
     CHECK(page_key(root, "docs/01_a.md") == key);
     write("steps/01_a/a.h", "4");
     CHECK(page_key(root, "docs/01_a.md") != key);
-    std::filesystem::remove_all(root);
 }
 
 TEST_CASE("Dead links, dead pictures, dead headings and dead paths are found, with their lines") {
-    const std::filesystem::path root = std::filesystem::temp_directory_path() / "raysteps_links_check";
+    const TemporaryFolder folder;
+    const std::filesystem::path& root = folder.path;
     std::filesystem::create_directories(root / "docs");
     std::ofstream(root / "docs/b.md") << "# A heading, of two: words\n";
     const std::string page =
@@ -191,5 +212,4 @@ TEST_CASE("Dead links, dead pictures, dead headings and dead paths are found, wi
     CHECK(dead[0] == "docs/a.md:1: p.png is not there");
     CHECK(dead[1] == "docs/a.md:2: b.md#gone is not there");
     CHECK(dead[2] == "docs/a.md:7: `docs/c.md` is not there");
-    std::filesystem::remove_all(root);
 }

@@ -67,10 +67,20 @@ guard_opening() {
     find "${existing[@]}" -type f -name '*.h' -exec grep -L '^#pragma once' {} + | report "a header says #pragma once"
 }
 
+# 6: nothing reaches a terminal but through common/complain.h.
+guard_printable() {
+    local program
+    for program in common assets tools; do
+        [ -d "$program" ] && grep -rnE --include='*.h' --include='*.cpp' \
+            'std::cerr|std::clog|std::fputs|fprintf *\( *stderr|"wrote "' "$program"
+    done | grep -v -e '^common/complain.cpp:' -e 'printable(' |
+        report "text goes to stderr, and names of files to stdout, through printable() of common/complain.h"
+}
+
 check() { # $1: the folder
     cd "$1" || exit 2
     local found
-    found=$(guard_order; guard_common; guard_pure; guard_rooted; guard_opening)
+    found=$(guard_order; guard_common; guard_pure; guard_rooted; guard_opening; guard_printable)
     [ -z "$found" ] && return 0
     printf '%s\n' "$found"
     return 1
@@ -125,6 +135,9 @@ self_test() {
     plant "first line says what it is for" assets/silent.cpp "#include <cmath>\n"
     plant "first line says what it is for" common/empty.cpp ""
     plant "says #pragma once" common/twice.h "// A planted file.\nint x;\n"
+    plant "through printable()" tools/loud.cpp "// A planted file.\nvoid f() { std::cerr << \"x\"; }\n"
+    plant "through printable()" common/loud.cpp "// A planted file.\nvoid f() { std::cout << \"wrote \" << path; }\n"
+    plant "through printable()" assets/loud.cpp "// A planted file.\nvoid f() { std::fprintf(stderr, text); }\n"
     [ "$missed" = 0 ]
 }
 

@@ -61,7 +61,7 @@ void report(const Command& command, const rt::Judgement& judgement) {
     if (command.json == "-")
         std::cout << json;
     else
-        for (const std::string& line : judgement.lines) std::cout << line << "\n";
+        for (const std::string& line : judgement.lines) std::cout << rt::printable(line) << "\n";
     if (!std::cout.flush()) throw rt::Error("stdout takes no more text (is the disk full?)");
 }
 

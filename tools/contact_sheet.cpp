@@ -1,4 +1,5 @@
 // contact_sheet OUT.png A.png B.png ...: many pictures on one sheet, each with its name under it.
+#include "common/complain.h"
 #include "common/error.h"
 #include "common/image_file.h"
 
@@ -130,15 +131,14 @@ Image contact_sheet(const std::vector<std::string>& paths) {
 int main(int argc, char** argv) {
     const std::vector<std::string> arguments(argv + 1, argv + argc);
     if (arguments.size() < 2 || arguments[0] == "--help") {
-        std::cerr << "usage: contact_sheet OUT.png A.png B.png ...\n";
+        rt::print_error_line("usage: contact_sheet OUT.png A.png B.png ...");
         return arguments.size() == 1 ? 0 : 2;
     }
     try {
         rt::check_writable(arguments[0]);
         rt::write_image(arguments[0], rt::contact_sheet({arguments.begin() + 1, arguments.end()}));
-        std::cout << "wrote " << rt::absolute_path(arguments[0]) << "\n";
+        std::cout << "wrote " << rt::printable(rt::absolute_path(arguments[0])) << "\n";
     } catch (const std::exception& error) {
-        std::cerr << "contact_sheet: " << error.what() << "\n";
-        return 2;
+        return rt::complain("contact_sheet", error.what());
     }
 }

@@ -1,9 +1,11 @@
-// One thread reads the next chunk of the file while others scan and parse theirs: the text is never in memory
-// as a whole, and still in the cache when it is looked at again.
+// One thread reads the next chunk of the file while others parse theirs: the text is never in memory as a
+// whole.
 #include "common/obj/chunks.h"
 
+#include "common/cores.h"
 #include "common/error.h"
 #include "common/file_bytes.h"
+#include "common/obj/scan.h"
 
 #include <algorithm>
 #include <future>
@@ -15,16 +17,27 @@
 namespace rt {
 namespace {
 
-/// The last place in `text`, but not before `from`, where it can be cut in two: behind a '\n' that no '\' can
-/// join to the next line. 0 if there is none.
+/// Where `text` can be cut in two: behind the last '\n' at or behind `from` that no '\' can join to the next
+/// line. 0 if there is none. Looks at most at what stands behind `from` and one line before it.
 std::size_t last_cut(const std::string& text, std::size_t from) {
-    std::size_t end = text.rfind('\n');
-    while (end != std::string::npos && end >= from) {
-        const std::size_t last = text.find_last_not_of(" \t\r", end - 1);
-        if (end == 0 || last == std::string::npos || text[last] != '\\') return end + 1;
-        end = text.rfind('\n', last);
+    for (std::size_t end = text.size(); end > from; --end) {
+        if (text[end - 1] != '\n') continue;
+        const std::size_t last = text.find_last_not_of(" \t\r", end == 1 ? 0 : end - 2);
+        if (last == std::string::npos || text[last] != '\\') return end;
     }
     return 0;
+}
+
+/// Refuses UTF-16, and a megabyte of one line that holds zeros, before the rest is read.
+void check_beginning(const std::string& path) {
+    InputFile file(path);
+    std::string text(std::size_t(std::min<std::uintmax_t>(file.bytes_left(), 1 << 20)), ' ');
+    file.read(text.data(), text.size());
+    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
+        throw Error(at_line(path, 1, "UTF-16; is this an OBJ file? Save it as UTF-8"));
+    const bool one_line = text.find_first_of("\r\n") == std::string::npos;
+    if (one_line && text.find('\0') != std::string::npos)
+        throw Error(at_line(path, 1, "not text; is this an OBJ file?"));
 }
 
 class Chunks {
@@ -32,16 +45,16 @@ class Chunks {
     Chunks(const std::string& path_, const ObjReading& reading)
         : path(path_), file(path), chunk_bytes(reading.chunk_bytes) {
         if (file.bytes_left() == 0) throw Error(path + ": is empty");
+        check_beginning(path);
         const std::uintmax_t most = file.bytes_left() / chunk_bytes + 1;
-        const unsigned wished =
-            reading.threads > 0 ? unsigned(reading.threads) : std::thread::hardware_concurrency();
-        threads = int(std::clamp<std::uintmax_t>(wished, 1, most));
+        const int wished = reading.threads > 0 ? reading.threads : usable_cores();
+        threads = int(std::min<std::uintmax_t>(std::uintmax_t(wished), most));
     }
-    std::deque<Chunk> read();
+    std::deque<ParsedChunk> read();
 
   private:
     void work();
-    Chunk* next(std::string& text);
+    ParsedChunk* next(std::string& text, bool& begins_file);
     void fill(std::string& text);
 
     const std::string path;
@@ -50,11 +63,11 @@ class Chunks {
     int threads = 1;
     std::mutex mutex; ///< guards `file`, `rest`, `chunks` and `stopped`
     std::string rest; ///< read, but behind the last cut
-    std::deque<Chunk> chunks;
+    std::deque<ParsedChunk> chunks;
     bool stopped = false;
 };
 
-std::deque<Chunk> Chunks::read() {
+std::deque<ParsedChunk> Chunks::read() {
     std::vector<std::future<void>> others;
     try {
         while (int(others.size()) + 1 < threads)
@@ -68,28 +81,25 @@ std::deque<Chunk> Chunks::read() {
 
 void Chunks::work() {
     std::string text;
-    while (Chunk* const chunk = next(text)) {
+    bool begins_file = false;
+    while (ParsedChunk* const chunk = next(text, begins_file)) {
         unify_line_ends(text);
-        chunk->scan = scan_chunk(text, chunk->begins_file);
-        if (!chunk->scan.fault) {
-            chunk->parsed = parse_chunk(path, text, chunk->scan);
-            continue;
-        }
+        *chunk = parse_chunk(text, begins_file);
+        if (!chunk->fault) continue;
         const std::lock_guard lock(mutex); // chunks before this one are under way, those behind it not needed
         stopped = true;
     }
 }
 
 /// The place for the next chunk; null if there is none.
-Chunk* Chunks::next(std::string& text) {
+ParsedChunk* Chunks::next(std::string& text, bool& begins_file) {
     const std::lock_guard lock(mutex);
     if (stopped) return nullptr;
     fill(text);
     if (text.empty()) return nullptr;
-    Chunk& chunk = chunks.emplace_back();
-    chunk.begins_file = chunks.size() == 1;
-    if (chunk.begins_file) blank_byte_order_mark(text);
-    return &chunk;
+    begins_file = chunks.empty();
+    if (begins_file) blank_byte_order_mark(text);
+    return &chunks.emplace_back();
 }
 
 void Chunks::fill(std::string& text) {
@@ -110,7 +120,7 @@ void Chunks::fill(std::string& text) {
 
 } // namespace
 
-std::deque<Chunk> read_chunks(const std::string& path, const ObjReading& reading) {
+std::deque<ParsedChunk> read_chunks(const std::string& path, const ObjReading& reading) {
     return Chunks(path, reading).read();
 }
 

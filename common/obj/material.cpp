@@ -1,13 +1,14 @@
-// The materials of an OBJ file, as people really write them: names with spaces, backslashes, paths of
-// somebody else's disk, files that were never copied along.
+// The materials of an OBJ file: their libraries, their textures, and their numbers in our terms.
 #include "common/obj/material.h"
 
+#include "common/complain.h"
 #include "common/error.h"
 #include "common/file_bytes.h"
+#include "common/obj/find_file.h"
+#include "common/obj/mask.h"
 #include "common/obj/scan.h"
 
 #include <algorithm>
-#include <iostream>
 #include <sstream>
 
 namespace rt {
@@ -20,42 +21,16 @@ std::string with_spaces(std::string name) {
     return name;
 }
 
-/// Where a file that is called `name` may stand: as stated, seen from each folder, and by its bare name
-/// there.
-std::vector<fs::path> candidates(const std::string& name, const std::vector<fs::path>& folders) {
-    std::vector<fs::path> paths;
-    const auto add = [&](const fs::path& path) {
-        const fs::path normal = path.lexically_normal();
-        if (std::find(paths.begin(), paths.end(), normal) == paths.end()) paths.push_back(normal);
-    };
-    for (const fs::path& folder : folders) add(folder / name); // an absolute name stays as it is
-    for (const fs::path& folder : folders) add(folder / fs::path(name).filename());
-    return paths;
-}
-
-std::string listed(const std::vector<fs::path>& paths) {
-    std::string text;
-    for (const fs::path& path : paths) text += (text.empty() ? "" : ", ") + path.string();
-    return text;
-}
-
-bool is_there(const fs::path& path) {
-    std::error_code ignored;
-    return fs::is_regular_file(path, ignored);
-}
-
-std::vector<std::string> split(const std::string& text, char separator) {
-    std::vector<std::string> parts;
-    std::istringstream stream(text);
-    for (std::string part; std::getline(stream, part, separator);) {
-        if (!part.empty()) parts.push_back(part);
-    }
-    return parts;
+/// Warns of a file that is found by another name than the one in `paths`.
+void warn_of_case(const std::string& where, const std::string& name, const fs::path& file,
+                  const std::vector<fs::path>& paths) {
+    if (std::find(paths.begin(), paths.end(), file) == paths.end())
+        warn(where + ": " + in_quotes(name) + " is not there, " + file.string() + " is taken for it");
 }
 
 /// Eight by eight, magenta and black: a colour that nobody mistakes for the model's own.
 Bitmap checker() {
-    Bitmap bitmap{8, 8, {}};
+    Bitmap bitmap{8, 8, {}, {}, ""};
     for (int i = 0; i < 64; ++i) {
         const std::uint16_t bright = (i + i / 8) % 2 == 0 ? 65535 : 0;
         bitmap.values.insert(bitmap.values.end(), {bright, std::uint16_t(0), bright});
@@ -103,27 +78,35 @@ float reflectivity_of(const tinyobj::material_t& source, const std::string& wher
 } // namespace
 
 void warn(const std::string& message) {
-    std::cerr << "warning: " + message + "\n";
+    print_error_line("warning: " + message);
+}
+
+/// The files of an mtllib line.
+std::vector<fs::path> MaterialLibraries::find(const std::string& names) const {
+    const std::vector<fs::path> folders{fs::path(obj_path).parent_path()};
+    const NamesOfLine line = names_of_line(names);
+    std::vector<std::string> parts = line.parts;
+    if (parts.size() > 1 && !existing(candidates(line.whole, folders)).empty()) parts = {line.whole};
+    std::vector<fs::path> found;
+    for (const std::string& name : parts) {
+        const std::vector<fs::path> paths = candidates(name, folders);
+        const std::vector<fs::path> there = existing(paths);
+        if (there.empty()) {
+            warn(obj_path + ": material file " + in_quotes(name) +
+                 " not found, its materials are grey; tried " + listed(paths));
+            continue;
+        }
+        warn_of_case(obj_path, name, there[0], paths);
+        found.push_back(there[0]);
+    }
+    return found;
 }
 
 bool MaterialLibraries::operator()(const std::string& names, std::vector<tinyobj::material_t>* materials,
                                    std::map<std::string, int>* numbers, std::string* warnings,
                                    std::string* errors) {
-    const std::vector<fs::path> folders{fs::path(obj_path).parent_path()};
-    const auto find = [&](const std::string& name) {
-        const std::vector<fs::path> paths = candidates(name, folders);
-        return *std::find_if(paths.begin(), paths.end() - 1, is_there);
-    };
-    std::vector<std::string> list{with_spaces(names)};
-    if (!is_there(find(list[0])) && names.find(inner_space) != std::string::npos)
-        list = split(names, inner_space);
-    for (const std::string& name : list) {
-        const fs::path file = find(name);
-        if (!is_there(file)) {
-            warn(obj_path + ": material file " + in_quotes(name) +
-                 " not found, its materials are grey; tried " + listed(candidates(name, folders)));
-            continue;
-        }
+    for (const fs::path& file : find(names)) {
+        if (!known.insert(one_name_of(file)).second) continue;
         std::istringstream stream(scan_mtl(file.string(), read_file(file.string())));
         tinyobj::LoadMtl(numbers, materials, &stream, warnings, errors);
         files.resize(materials->size(), file);
@@ -131,35 +114,66 @@ bool MaterialLibraries::operator()(const std::string& names, std::vector<tinyobj
     return true; // tinyobjloader need not look for it once more
 }
 
-int TextureLoader::find_or_read(const std::string& file) {
-    const auto [place, is_new] = known.emplace(fs::weakly_canonical(file).string(), int(bitmaps.size()));
-    if (!is_new) return place->second;
-    try {
-        bitmaps.push_back(read_bitmap(file));
-    } catch (...) {
-        known.erase(place);
-        throw;
-    }
-    return place->second;
-}
-
-int TextureLoader::load(const fs::path& mtl, const std::string& name) {
-    const auto missing = known.find("missing " + name);
-    if (missing != known.end()) return missing->second;
+/// What `known` says of the picture that `mtl` calls `name`, else what `read` makes of its file. If that is
+/// not there, or cannot be read from any place where it is, what `substitute` makes, with a warning that
+/// says `instead`.
+int TextureLoader::find_or_read(Known& known, const fs::path& mtl, const std::string& name, const Read& read,
+                                const std::string& instead, const std::function<int()>& substitute) {
+    const std::string missing = "missing " + name;
+    if (const auto place = known.find(missing); place != known.end()) return place->second;
     const std::vector<fs::path> paths = candidates(name, {mtl.parent_path(), obj_path.parent_path()});
     std::string reason = "no such file";
-    for (const fs::path& path : paths) {
-        if (!is_there(path)) continue;
+    for (const fs::path& path : existing(paths)) {
+        const std::string key = one_name_of(path);
+        if (const auto place = known.find(key); place != known.end()) return place->second;
+        warn_of_case(mtl.string(), name, path, paths);
         try {
-            return find_or_read(path.string());
+            return known[key] = read(path.string());
         } catch (const Error& error) {
             reason = error.what();
         }
     }
-    warn(mtl.string() + ": texture " + in_quotes(name) +
-         " cannot be used, a magenta checker takes its place; tried " + listed(paths) + " (" + reason + ")");
-    bitmaps.push_back(checker());
-    return known["missing " + name] = int(bitmaps.size()) - 1;
+    warn(mtl.string() + ": texture " + in_quotes(name) + " cannot be used, " + instead + "; tried " +
+         listed(paths) + " (" + reason + ")");
+    return known[missing] = substitute();
+}
+
+Bitmap TextureLoader::read_picture(const std::string& file) {
+    Bitmap bitmap = read_bitmap(file, pixels_left);
+    pixels_left -= std::int64_t(bitmap.width) * bitmap.height;
+    if (!bitmap.flaw.empty()) warn(file + ": " + bitmap.flaw + " and is drawn as far as it can be read");
+    return bitmap;
+}
+
+int TextureLoader::add_texture(Bitmap bitmap) {
+    fill_hidden_colours(bitmap);
+    bitmaps.push_back(std::move(bitmap));
+    return int(bitmaps.size()) - 1;
+}
+
+int TextureLoader::add_mask(const Bitmap& bitmap) {
+    Mask mask = mask_of(bitmap);
+    if (mask.opacity.empty()) return -1;
+    masks.push_back(std::move(mask));
+    return int(masks.size()) - 1;
+}
+
+int TextureLoader::load(const fs::path& mtl, const std::string& name) {
+    return find_or_read(
+        known_textures, mtl, name, [&](const std::string& file) { return add_texture(read_picture(file)); },
+        "a magenta checker takes its place", [&] { return add_texture(checker()); });
+}
+
+int TextureLoader::load_mask(const fs::path& mtl, const std::string& name) {
+    return find_or_read(
+        known_masks, mtl, name, [&](const std::string& file) { return add_mask(read_picture(file)); },
+        "its material has no holes", [] { return -1; });
+}
+
+int TextureLoader::mask_of_texture(int texture) {
+    if (texture < 0 || bitmaps[std::size_t(texture)].opacity.empty()) return -1;
+    if (const auto place = texture_masks.find(texture); place != texture_masks.end()) return place->second;
+    return texture_masks[texture] = add_mask(bitmaps[std::size_t(texture)]);
 }
 
 ObjMaterial converted(const tinyobj::material_t& source, const fs::path& mtl, TextureLoader& textures) {
@@ -171,7 +185,13 @@ ObjMaterial converted(const tinyobj::material_t& source, const fs::path& mtl, Te
     material.reflectivity = reflectivity_of(source, where);
     material.ior = clamped(source.ior, 1, 4, where, "Ni");
     material.glass = asks_for_refraction(source.illum) || (source.dissolve < 1 && material.ior > 1);
+    if (source.dissolve < 1 && !material.glass)
+        textures.unfollowed.add(mtl.string(), "d below 1 (or Tr above 0) without refraction is drawn opaque",
+                                material.name);
     if (!source.diffuse_texname.empty()) material.texture = textures.load(mtl, source.diffuse_texname);
+    if (!material.glass)
+        material.mask = source.alpha_texname.empty() ? textures.mask_of_texture(material.texture)
+                                                     : textures.load_mask(mtl, source.alpha_texname);
     return material;
 }
 

@@ -37,7 +37,8 @@ int main(int argc, char** argv) {
         options.knob("bubble", 0.8f, 0.05f, 0.98f, "radius of the bubble, in radii of its ball");
     const float& absorption = options.knob("absorption", 2.5f, 0.0f, 50.0f, "of the tinted ball, 1/m");
     const int& depth =
-        options.knob("depth", 7, 0, 24, "boundaries that a ray may meet; beyond them it is black");
+        options.knob("depth", 7, 0, 14,
+                     "boundaries that a ray may meet; beyond them it is black; each takes 1.5 times as long");
     const auto view = view_knob(options);
     const CameraKnobs camera_knobs(options, {.from = {0.3f, 1.55f, 5.6f}, .at = {0, 0.68f, 0}, .fov = 34});
 

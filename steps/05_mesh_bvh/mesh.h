@@ -125,12 +125,13 @@ inline void append(Mesh& mesh, const ObjFile& file, const std::vector<int>& mate
 }
 
 /// Moves a model before it is added to a scene: scaled, turned about the y axis (degrees, from +z towards
-/// +x), shifted.
+/// +x), shifted. Its coordinates are the scene's from then on.
 inline void place(ObjFile& file, float scale, float turn, vec3 shift) {
     const float c = std::cos(glm::radians(turn)), s = std::sin(glm::radians(turn));
     const auto turned = [&](vec3 p) { return vec3(c * p.x + s * p.z, p.y, c * p.z - s * p.x); };
     for (vec3& position : file.positions) position = scale * turned(position) + shift;
     for (vec3& normal : file.normals) normal = turned(normal);
+    file.origin = dvec3(0);
 }
 
 } // namespace rt

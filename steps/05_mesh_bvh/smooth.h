@@ -74,6 +74,23 @@ inline Meetings meetings(const ObjFile& file) {
     return meet;
 }
 
+/// Parts the corners of each point by the smoothing groups of their triangles; corners of group 0 are each
+/// alone.
+inline Meetings parted(Meetings meet, const std::vector<int>& groups) {
+    if (groups.empty()) return meet;
+    const auto group = [&](std::uint32_t i) { return groups[meet.corner[i] / 3]; };
+    std::vector<std::uint32_t> end;
+    for (std::uint32_t begin = 0; const std::uint32_t all : meet.end) {
+        std::ranges::stable_sort(meet.corner.begin() + begin, meet.corner.begin() + all, {},
+                                 [&](std::uint32_t corner) { return groups[corner / 3]; });
+        for (std::uint32_t i = begin + 1; i <= all; ++i)
+            if (i == all || group(i) == 0 || group(i) != group(i - 1)) end.push_back(i);
+        begin = all;
+    }
+    meet.end = std::move(end);
+    return meet;
+}
+
 /// The faces that meet in a point, as area normals: for each the sum of those, itself among them, that differ
 /// from it by no more than the angle `crease`, in radians.
 inline std::vector<vec3> smooth_sums(const std::vector<vec3>& faces, float crease) {
@@ -98,14 +115,14 @@ inline std::vector<vec3> smooth_sums(const std::vector<vec3>& faces, float creas
 
 /// A normal for each corner of each triangle of a file that gives none. Faces that meet in a point are
 /// smoothed together, weighted by area, unless they differ by more than `crease` degrees: so a ball is round
-/// and a cube keeps its edges.
+/// and a cube keeps its edges; or unless the file puts them into different smoothing groups, or into none.
 inline std::vector<std::array<vec3, 3>> smooth_normals(const ObjFile& file, float crease) {
     const auto face = [&](std::uint32_t t) {
         const auto& [a, b, c] = file.triangles[t];
         return area_normal({file.positions[std::size_t(a.position)], file.positions[std::size_t(b.position)],
                             file.positions[std::size_t(c.position)]});
     };
-    const Meetings meet = meetings(file);
+    const Meetings meet = parted(meetings(file), file.smoothing_groups);
     std::vector<std::array<vec3, 3>> normals(file.triangles.size());
     std::vector<vec3> faces;
     for (std::uint32_t begin = 0; const std::uint32_t end : meet.end) {

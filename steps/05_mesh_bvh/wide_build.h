@@ -30,12 +30,12 @@ struct alignas(64) BinaryNode {
 /// wide nodes and blocks it becomes. Nothing takes all places.
 struct Weight {
     Row cost;
-    Mask nodes, leaves;
+    IntRow nodes, leaves;
 };
 
 /// That of shapes in one block.
 inline Weight block_weight(const BinaryNode& node) {
-    return {row(half_area(node.box)), Mask{}, Mask{} + 1};
+    return {row(half_area(node.box)), IntRow{}, IntRow{} + 1};
 }
 
 /// What stands `count` lanes before the second row.
@@ -52,21 +52,21 @@ Lanes before(const std::array<Lanes, 2>& rows, int count) {
 /// block, or as a node of its own with all places below. All k at once, as the sharing is the same for each.
 inline Weight weigh(BinaryNode& node, const Weight& left, const Weight& right) {
     const std::array<Row, 2> right_cost{row(infinity), right.cost};
-    const std::array<Mask, 2> right_nodes{Mask{}, right.nodes}, right_leaves{Mask{}, right.leaves};
+    const std::array<IntRow, 2> right_nodes{IntRow{}, right.nodes}, right_leaves{IntRow{}, right.leaves};
     Row cost = row(infinity); // of sharing; this stays, with one place for the left, if all areas overflow
-    Mask nodes = left.nodes[0] + before(right_nodes, 1), leaves = left.leaves[0] + before(right_leaves, 1);
-    Mask share = Mask{} + 1;
+    IntRow nodes = left.nodes[0] + before(right_nodes, 1), leaves = left.leaves[0] + before(right_leaves, 1);
+    IntRow share = IntRow{} + 1;
     for (int places = 1; places < lanes; ++places) { // for the left
         const Row shared = left.cost[places - 1] + before(right_cost, places);
-        const Mask better = shared < cost;
+        const IntRow better = shared < cost;
         cost = better ? shared : cost;
         nodes = better ? left.nodes[places - 1] + before(right_nodes, places) : nodes;
         leaves = better ? left.leaves[places - 1] + before(right_leaves, places) : leaves;
-        share = better ? Mask{} + places : share;
+        share = better ? IntRow{} + places : share;
     }
     Weight own = block_weight(node);
     if (node.count == 0)
-        own = {own.cost + cost[lanes - 1], Mask{} + nodes[lanes - 1] + 1, Mask{} + leaves[lanes - 1]};
+        own = {own.cost + cost[lanes - 1], IntRow{} + nodes[lanes - 1] + 1, IntRow{} + leaves[lanes - 1]};
     node.nodes = std::uint32_t(own.nodes[0]);
     node.leaves = std::uint32_t(own.leaves[0]);
     node.share[0] = std::uint8_t(share[lanes - 1]);

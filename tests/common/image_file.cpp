@@ -6,6 +6,7 @@
 #include "common/hdr_format.h"
 #include "tests/check.h"
 #include "tests/malformed/folder.h"
+#include "tests/malformed/jpeg.h"
 #include "tests/malformed/png.h"
 
 #include <doctest/doctest.h>
@@ -99,7 +100,7 @@ TEST_CASE("light is rounded to the nearest 8-bit value, and clamped") {
     for (std::size_t i = 0; i < 15; ++i) CHECK(values[i] == codes[i] * 257);
 }
 
-TEST_CASE("grey stands in all channels, alpha is dropped, and rows run from the top") {
+TEST_CASE("grey stands in all channels, and rows run from the top") {
     const Folder folder;
     const std::string grey_alpha =
         folder.write("ga.png", png(1, 2, 8, 4, std::string("\0\x40\x00\0\x80\x01", 6)));
@@ -109,7 +110,202 @@ TEST_CASE("grey stands in all channels, alpha is dropped, and rows run from the 
     CHECK(bitmap.values == std::vector<std::uint16_t>{0x4040, 0x4040, 0x4040, 0x8080, 0x8080, 0x8080});
 }
 
+// ---- opacity
+
+TEST_CASE("an alpha channel is opacity; a picture that is opaque everywhere has none") {
+    const Folder folder;
+    const auto opacity = [&](const std::string& bytes) {
+        return read_bitmap(folder.write("a.png", bytes)).opacity;
+    };
+    using Values = std::vector<std::uint16_t>;
+    CHECK(opacity(png(2, 1, 8, 4, std::string("\0\x40\x00\x80\x80", 5))) == Values{0, 0x8080});
+    CHECK(opacity(png(1, 2, 16, 6, std::string("\0abcdef\x12\x34\0abcdef\xff\xff", 18))) ==
+          Values{0x1234, 65535});
+    CHECK(opacity(png(2, 1, 8, 4, std::string("\0\x40\xff\x80\xff", 5))).empty());
+    CHECK_MESSAGE(opacity(png(2, 1, 8, 4, std::string("\0\x40\0\x80\0", 5))).empty(),
+                  "0 everywhere is what programs write that know no alpha");
+    const std::string two = chunk("PLTE", "abcdef") + chunk("tRNS", std::string("\0\x40", 2));
+    CHECK(opacity(png(2, 1, 8, 3, std::string("\0\0\1", 3), two)) == Values{0, 0x4040});
+    const std::string key = chunk("tRNS", std::string("\0\x40", 2)); // grey 64 is transparent
+    CHECK(opacity(png(2, 1, 8, 0, std::string("\0\x40\x41", 3), key)) == Values{0, 65535});
+}
+
+// ---- palettes
+
+TEST_CASE("a pixel that names a colour beyond its palette is black, not what lay in memory") {
+    const Folder folder;
+    const std::string path =
+        folder.write("a.png", png(2, 1, 8, 3, std::string("\0\0\xff", 3), chunk("PLTE", "\x10\x20\x30")));
+    CHECK(read_bitmap(path).values == std::vector<std::uint16_t>{0x1010, 0x2020, 0x3030, 0, 0, 0});
+    const std::string none = folder.write("b.png", png(2, 1, 8, 3, std::string("\0\0\xff", 3)));
+    CHECK_ERROR(error_of([&] { read_bitmap(none); }), "b.png", "damaged");
+}
+
+// ---- memory
+
+TEST_CASE("no file takes memory that its size cannot need") {
+    const Folder folder;
+    const std::string bomb = packed_png(8, 8, 8, 2, zeros(4000)); // a megabyte in 6.5 KB
+    CHECK_ERROR(error_of_reading(folder, "bomb.png", bomb), "bomb.png", "more data");
+    CHECK_ERROR(error_of_reading(folder, "empty.png", packed_png(9000, 9000, 8, 2, zeros(1))), "cut short");
+    const std::string vast = png(8, 8, 8, 2, "").replace(33, 4, "\x7f\xff\xff\xff"); // the length of its data
+    CHECK_ERROR(error_of_reading(folder, "vast.png", vast), "vast.png", "cut short");
+    CHECK_ERROR(error_of_reading(folder, "none.png", packed_png(8, 8, 8, 2, "")), "no data");
+    const std::string split = packed_png(1, 1, 8, 0, stored(std::string("\0\x77", 2)), chunk("IDAT", ""));
+    CHECK(read_bitmap(folder.write("split.png", split)).values[0] == 0x7777); // a chunk may be empty
+}
+
+TEST_CASE("an interlaced PNG, whose rows take more bytes than its size tells, is read") {
+    const Folder folder;
+    std::string rows; // of the seven passes over 8 x 8 pixels
+    for (const int width : {1, 1, 2, 2, 2, 4, 4, 4, 4, 4, 4, 8, 8, 8, 8}) {
+        rows += '\0';
+        rows.append(std::size_t(width), '\x44');
+    }
+    std::string bytes = png(8, 8, 8, 0, rows);
+    bytes[28] = 1; // in the header, as the last byte before its checksum
+    CHECK(read_bitmap(folder.write("a.png", bytes)).values == std::vector<std::uint16_t>(192, 0x4444));
+}
+
+TEST_CASE("a model's textures have a limit together, in plain words") {
+    CHECK(size_problem(10'000, 10'000, 100'000'000).empty());
+    CHECK_ERROR(size_problem(10'000, 10'000, 99'999'999), "10000 x 10000", "all textures", "2 GB");
+    const Folder folder;
+    const std::string path = folder.write("a.png", png(2, 2, 8, 0, std::string(6, '\0')));
+    CHECK_ERROR(error_of([&] { read_bitmap(path, 3); }), "a.png", "all textures");
+    CHECK(read_bitmap(path, 4).values.size() == 12);
+}
+
+// ---- JPEG, TGA, BMP
+
+TEST_CASE("a JPEG is read: grey, RGB, YCbCr and ink, in one pass or several") {
+    const Folder folder;
+    const auto first = [&](const std::string& bytes) {
+        const Bitmap bitmap = read_bitmap(folder.write("a.png", bytes)); // whatever its name says
+        CHECK(bitmap.flaw == "");
+        CHECK(bitmap.values.size() == std::size_t(bitmap.width * bitmap.height * 3));
+        return vec3(bitmap.values[0], bitmap.values[1], bitmap.values[2]) / 257.0f;
+    };
+    CHECK(first(jpeg(8, 8, 1, "\x50")) == vec3(80));
+    CHECK(first(jpeg(5, 3, 1, "\x50", {.progressive = true})) == vec3(80));
+    CHECK(first(jpeg(8, 8, 3, "\xc8\x64\x32", {.adobe = true})) == vec3(200, 100, 50));
+    CHECK(first(jpeg(8, 8, 3, "\x64\x80\xc8")) ==
+          approx(vec3(201, 49, 100), 0.03f)); // Cr 72 above the middle
+    CHECK(first(jpeg(8, 8, 4, "\xff\x80\x40\x80", {.adobe = true})) == approx(vec3(128, 64, 32), 0.01f));
+    const Bitmap two = read_bitmap(folder.write("two.jpg", jpeg(16, 8, 1, "\x10\xf0")));
+    CHECK(two.values[3 * 7] == 0x1010);
+    CHECK(two.values[3 * 8] == 0xf0f0);
+}
+
+TEST_CASE("a JPEG that is cut short is read as far as it goes, and says so") {
+    const Folder folder;
+    std::string squares;
+    for (int i = 0; i < 64; ++i) squares += char(i % 2 == 0 ? 0x20 : 0xe0);
+    const std::string whole = jpeg(64, 64, 1, squares);
+    const std::string path = folder.write("cut.jpg", whole.substr(0, whole.size() - 60));
+    const Bitmap bitmap = read_bitmap(path);
+    CHECK(bitmap.flaw == "is cut short");
+    CHECK(bitmap.values[0] == 0x2020);
+    CHECK_ERROR(error_of([&] { read_image(path); }), "cut.jpg", "cut short"); // nothing to compare with
+    for (std::size_t size = 3; size < 150; size += 7)
+        CHECK_ERROR(error_of_reading(folder, "head.jpg", whole.substr(0, size)), "head.jpg");
+}
+
+TEST_CASE("a JPEG of too many pixels or passes is refused") {
+    const Folder folder;
+    CHECK_ERROR(error_of_reading(folder, "a.jpg", jpeg(30'000, 8, 1, "\x50")), "a.jpg", "too large");
+    CHECK_ERROR(error_of_reading(folder, "b.jpg", jpeg(16'384, 16'384, 1, "\x50")), "b.jpg", "too large");
+}
+
+namespace {
+
+std::string little_endian(std::uint32_t value, int bytes) {
+    std::string text;
+    for (int i = 0; i < bytes; ++i, value >>= 8) text += char(value);
+    return text;
+}
+
+std::string bmp(int width, int height, int bits, const std::string& palette, const std::string& rows) {
+    const std::uint32_t offset = 54 + std::uint32_t(palette.size());
+    return "BM" + little_endian(0, 8) + little_endian(offset, 4) + little_endian(40, 4) +
+           little_endian(std::uint32_t(width), 4) + little_endian(std::uint32_t(height), 4) +
+           little_endian(1, 2) + little_endian(std::uint32_t(bits), 2) + little_endian(0, 24) + palette +
+           rows;
+}
+
+/// `kind`: 2 RGB, 3 grey, 10 RGB in runs. Rows run from the top.
+std::string tga(int kind, int width, int height, int bits, const std::string& pixels) {
+    return std::string{'\0', '\0', char(kind)} + little_endian(0, 9) +
+           little_endian(std::uint32_t(width), 2) + little_endian(std::uint32_t(height), 2) + char(bits) +
+           '\x20' + pixels;
+}
+
+} // namespace
+
+TEST_CASE("a BMP is read, from the bottom or the top; a colour beyond its palette is black") {
+    const Folder folder;
+    const auto values = [&](const std::string& bytes) {
+        return read_bitmap(folder.write("a.bmp", bytes)).values;
+    };
+    using Values = std::vector<std::uint16_t>;
+    const std::string rows = std::string("\x30\x20\x10\0\x60\x50\x40\0", 8); // blue, green, red, and padding
+    CHECK(values(bmp(1, 2, 24, "", rows)) == Values{0x4040, 0x5050, 0x6060, 0x1010, 0x2020, 0x3030});
+    CHECK(values(bmp(1, -2, 24, "", rows)) == Values{0x1010, 0x2020, 0x3030, 0x4040, 0x5050, 0x6060});
+    const std::string one("\x30\x20\x10\0", 4);
+    CHECK(values(bmp(2, 1, 8, one, std::string("\0\xff\0\0", 4))) == Values{0x1010, 0x2020, 0x3030, 0, 0, 0});
+    CHECK_ERROR(error_of_reading(folder, "cut.bmp", bmp(1, 2, 24, "", rows.substr(0, 6))), "cut.bmp",
+                "cut short");
+    CHECK_ERROR(error_of_reading(folder, "vast.bmp", bmp(9000, 9000, 24, "", rows)), "vast.bmp", "cut short");
+    const int least = std::numeric_limits<int>::min();
+    CHECK_ERROR(error_of_reading(folder, "odd.bmp", bmp(1, least, 24, "", rows)), "odd.bmp");
+}
+
+TEST_CASE("a TGA is read, with runs or without, and named if it is cut short") {
+    const Folder folder;
+    const std::string plain = tga(2, 2, 1, 24, "\x30\x20\x10\x60\x50\x40");
+    const std::vector<std::uint16_t> two{0x1010, 0x2020, 0x3030, 0x4040, 0x5050, 0x6060};
+    CHECK(read_bitmap(folder.write("a.tga", plain)).values == two);
+    const std::string runs = tga(10, 3, 1, 32, "\x81\x30\x20\x10\x77" + std::string("\0\x60\x50\x40\xff", 5));
+    const Bitmap run = read_bitmap(folder.write("b.TGA", runs));
+    CHECK(run.values[0] == 0x1010);
+    CHECK(run.values[3] == 0x1010);
+    CHECK(run.values[8] == 0x6060);
+    CHECK(run.opacity == std::vector<std::uint16_t>{0x7777, 0x7777, 65535});
+    for (const std::string& whole : {plain, runs}) {
+        const std::string cut = whole.substr(0, whole.size() - 1);
+        CHECK_ERROR(error_of_reading(folder, "cut.tga", cut), "cut.tga", "cut short");
+    }
+    CHECK_ERROR(error_of_reading(folder, "vast.tga", tga(10, 9000, 9000, 24, "\xff\1\2\3")), "cut short");
+}
+
+TEST_CASE("what is no picture is refused in the words of what is read") {
+    const Folder folder;
+    CHECK_ERROR(error_of_reading(folder, "a.gif", "GIF89a\1\0\1\0\0\0\0;"), "PNG, JPEG, TGA, BMP or HDR");
+    CHECK_ERROR(error_of_reading(folder, "a.png", std::string("\0\0\2", 3) + std::string(99, '\1')),
+                "not a PNG");
+}
+
 // ---- .hdr
+
+TEST_CASE("an .hdr that was exposed is read as the light before that") {
+    const std::string pixel = "\x80\x40\x20\x81"; // 1, 1/2, 1/4
+    const auto first = [&](const std::string& lines) {
+        return decode_hdr("#?RADIANCE\n" + lines + "FORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n" + pixel)(0, 0);
+    };
+    CHECK(first("EXPOSURE=4\n") == vec3(0.25f, 0.125f, 0.0625f));
+    CHECK(first("EXPOSURE= 2.0\nEXPOSURE=.5\n") == vec3(1, 0.5f, 0.25f));
+    CHECK(first("COLORCORR= 2 1 .5\n") == vec3(0.5f, 0.5f, 0.5f));
+    for (const char* line :
+         {"EXPOSURE=\n", "EXPOSURE=0\n", "EXPOSURE=-1\n", "EXPOSURE=nan\n", "COLORCORR=1 1\n"})
+        CHECK_ERROR(error_of([&] { first(line); }), "wrong line", std::string(line).substr(0, 8));
+}
+
+TEST_CASE("an .hdr as a texture is clamped and takes the sRGB curve") {
+    const Folder folder;
+    const std::string path =
+        folder.write("a.hdr", hdr("-Y 1 +X 1", std::string("\x80\x40\0\x82", 4))); // 2, 1, 0
+    CHECK(read_bitmap(path).values == std::vector<std::uint16_t>{65535, 65535, 0});
+}
 
 TEST_CASE(".hdr keeps each channel within half a step, 1/256 of the largest one at most") {
     const Folder folder;
@@ -343,8 +539,8 @@ TEST_CASE("a full disk is an error; the old file survives and no half file stays
         message = error_of([&] { write_image(old, gradient(9, 9)); });
         message_of_new = error_of([&] { write_image(folder / "new.png", gradient(400, 400)); });
     }
-    CHECK_ERROR(message, "old.hdr", "disk full");
-    CHECK_ERROR(message_of_new, "new.png", "disk full");
+    CHECK_ERROR(message, "old.hdr", "File too large", "untouched");
+    CHECK_ERROR(message_of_new, "new.png", "File too large");
     CHECK(bytes_of(old) == "as it was");
     CHECK(folder.files() == 1);
 }
@@ -381,7 +577,8 @@ TEST_CASE("what is write-protected is found out before rendering") {
     CHECK_ERROR(error_of([&] { check_writable(path); }), "a.png", "write-protected");
     fs::create_directories(folder.path / "closed");
     fs::permissions(folder.path / "closed", fs::perms::owner_read | fs::perms::owner_exec);
-    CHECK_ERROR(error_of([&] { check_writable(folder / "closed/a.png"); }), "closed/a.png", "allowed");
+    CHECK_ERROR(error_of([&] { check_writable(folder / "closed/a.png"); }), "closed/a.png",
+                "Permission denied");
     fs::permissions(folder.path / "closed", fs::perms::owner_all);
 }
 #endif

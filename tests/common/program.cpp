@@ -7,11 +7,13 @@
 #include <doctest/doctest.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <limits>
 #include <new>
+#include <optional>
 #include <random>
 #include <sstream>
 #include <stdexcept>
@@ -19,6 +21,7 @@
 #include <vector>
 
 #if !defined(_WIN32)
+#include <sys/wait.h>
 #include <unistd.h>
 #endif
 
@@ -356,6 +359,118 @@ TEST_CASE("a program names the learner's headers that it is built with, and is s
         CHECK(contains(said.str(), "using your " + own + "\n") == !own.empty());
         CHECK(contains(said.str(), "using your") == !own.empty());
     }
+}
+
+TEST_CASE("an ending in capitals is the same ending") {
+    const Folder folder;
+    CHECK(run({"--out", folder / "a.PNG"}).code == 0);
+    CHECK(run({"--out", folder / "b.Hdr", "--variance", folder / "v.HDR"}).code == 0);
+    CHECK(rt::read_image(folder / "a.PNG").width == 8);
+    CHECK(rt::read_image(folder / "b.Hdr").width == 8);
+    CHECK(folder.files() == 3);
+}
+
+#if !defined(_WIN32)
+namespace {
+
+/// An environment variable that has another value for as long as this lives.
+class Variable {
+  public:
+    Variable(const char* name_, const std::string& value) : name(name_) {
+        if (const char* const old = std::getenv(name)) before = old;
+        setenv(name, value.c_str(), 1);
+    }
+    ~Variable() { before ? setenv(name, before->c_str(), 1) : unsetenv(name); }
+    Variable(const Variable&) = delete;
+    Variable& operator=(const Variable&) = delete;
+
+  private:
+    const char* const name;
+    std::optional<std::string> before;
+};
+
+/// A run whose folder goes away while it renders.
+Run run_without_folder(const std::vector<std::string>& words, const fs::path& gone) {
+    return run(words, [&gone](const rt::RenderCall& render) {
+        render(gradient);
+        fs::remove_all(gone);
+    });
+}
+
+/// The path in the line "wrote PATH" whose end is `ending`.
+std::string written(const Run& result, const std::string& ending) {
+    std::istringstream lines(result.out);
+    for (std::string line; std::getline(lines, line);)
+        if (line.rfind("wrote ", 0) == 0 && line.substr(line.size() - 4) == ending) return line.substr(6);
+    return "";
+}
+
+} // namespace
+
+TEST_CASE("a finished picture goes to the temporary folder if its own is gone") {
+    const Folder folder, temporary;
+    const Variable place("TMPDIR", temporary / "");
+    fs::create_directory(folder / "here");
+    const Run result = run_without_folder({"--out", folder / "here/p"}, folder / "here");
+    CHECK(result.code == 2);
+    CHECK(contains(result.err, "here/p.png: the folder " + folder / "here"));
+    for (const std::string ending : {".png", ".hdr"}) {
+        const std::string path = written(result, ending);
+        CHECK(path.rfind(temporary / "00_test-", 0) == 0);
+        CHECK(contains(result.err, "; the new picture is " + path + "\n"));
+        CHECK(rt::read_image(path).width == 8);
+        CHECK((fs::status(path).permissions() & fs::perms::others_all) == fs::perms::none);
+    }
+    CHECK(temporary.files() == 2);
+}
+
+TEST_CASE("a finished picture goes to the home folder if there is no temporary one") {
+    const Folder folder, home;
+    const Variable place("TMPDIR", folder / "none"), other("HOME", home / "");
+    fs::create_directory(folder / "here");
+    const Run result = run_without_folder({"--out", folder / "here/p.HDR"}, folder / "here");
+    CHECK(result.code == 2);
+    CHECK(rt::read_image(written(result, ".hdr")).height == 5);
+    CHECK(home.files() == 1);
+}
+
+TEST_CASE("a picture that no folder takes is said to be lost") {
+    const Folder folder;
+    const Variable place("TMPDIR", folder / "none"), other("HOME", "relative");
+    fs::create_directory(folder / "here");
+    const Run result = run_without_folder({"--out", folder / "here/p.png"}, folder / "here");
+    CHECK(result.code == 2);
+    CHECK(contains(result.err, "it is lost\n"));
+    CHECK_FALSE(contains(result.out, "wrote"));
+}
+
+TEST_CASE("a program that is told to stop dies of that signal, and leaves the old file") {
+    const Folder folder;
+    put(folder / "p.png", "old picture");
+    for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+        CAPTURE(number);
+        const pid_t child = fork();
+        if (child == 0) {
+            run({"--out", folder / "p.png"}, [number](const rt::RenderCall&) { std::raise(number); });
+            _exit(0);
+        }
+        int status = 0;
+        waitpid(child, &status, 0);
+        CHECK(WIFSIGNALED(status));
+        CHECK(WTERMSIG(status) == number); // a shell says 128 + number
+    }
+    CHECK(bytes_of(folder / "p.png") == "old picture");
+    CHECK(folder.files() == 1);
+}
+#endif
+
+TEST_CASE("names of files are printed without what steers a terminal") {
+    const Folder folder;
+    const Run result = run({"--out", folder / "a\x1b[2Jb.png"});
+    CHECK(result.code == 0);
+    CHECK(result.out.find('\x1b') == std::string::npos);
+    CHECK(contains(result.out, "a?[2Jb.png"));
+    check_refused(run({"--out", folder / "\x1b[2J/p.png"}), "?[2J does not exist");
 }
 
 #if defined(SIGPIPE)

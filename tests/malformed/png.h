@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 
 namespace rt::malformed {
 
@@ -35,12 +36,37 @@ inline std::string stored(const std::string& data) {
            big_endian(b << 16 | a);
 }
 
-/// `rows`: each row's samples behind a filter byte of 0. Colour type 0 grey, 2 RGB, 4 grey and alpha, 6 RGBA.
-inline std::string png(std::uint32_t width, std::uint32_t height, int depth, int colour_type,
-                       const std::string& rows) {
+/// zlib of about 258 * `runs` zeros in 13 bits each: fixed codes, length 258, distance 1.
+inline std::string zeros(int runs) {
+    std::string bytes("\x78\x01", 2);
+    unsigned pending = 0;
+    int count = 0;
+    const auto add = [&](unsigned value, int bits) { // Huffman codes stand with their first bit lowest
+        for (int i = bits - 1; i >= 0; --i) {
+            pending |= (value >> i & 1) << count % 8;
+            if (++count % 8 == 0) bytes += char(std::exchange(pending, 0));
+        }
+    };
+    add(0b110, 3);      // the last block, of fixed codes
+    add(0b00110000, 8); // a zero
+    for (int i = 0; i < runs; ++i) add(0b1100010100000, 13);
+    add(0, 16); // the end, and up to a whole byte
+    return bytes;
+}
+
+/// A PNG whose data is already packed, with further chunks before them. Colour type 0 grey, 2 RGB, 3 palette,
+/// 4 grey and alpha, 6 RGBA.
+inline std::string packed_png(std::uint32_t width, std::uint32_t height, int depth, int colour_type,
+                              const std::string& data, const std::string& chunks = "") {
     const std::string header =
         big_endian(width) + big_endian(height) + char(depth) + char(colour_type) + std::string(3, '\0');
-    return "\x89PNG\r\n\x1a\n" + chunk("IHDR", header) + chunk("IDAT", stored(rows)) + chunk("IEND", "");
+    return "\x89PNG\r\n\x1a\n" + chunk("IHDR", header) + chunks + chunk("IDAT", data) + chunk("IEND", "");
+}
+
+/// `rows`: each row's samples behind a filter byte of 0.
+inline std::string png(std::uint32_t width, std::uint32_t height, int depth, int colour_type,
+                       const std::string& rows, const std::string& chunks = "") {
+    return packed_png(width, height, depth, colour_type, stored(rows), chunks);
 }
 
 } // namespace rt::malformed

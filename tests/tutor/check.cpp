@@ -1,10 +1,19 @@
 // What ./learn check does with code that does not compile, crashes or never ends.
 #include "tests/check.h"
+#include "common/error.h"
 #include "tests/tutor/folder.h"
+#include "tools/tutor/build_lock.h"
 #include "tools/tutor/check_run.h"
 #include "tools/tutor/compile.h"
+#include "tools/tutor/temporary.h"
 
 #include <doctest/doctest.h>
+
+#include <csignal>
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 using namespace rt;
 
@@ -56,7 +65,7 @@ TEST_CASE("a check that crashes is named, and the others still run") {
 TEST_CASE("a check that never ends is stopped and named, and the others still run") {
     const auto checks = checks_of("while :; do :; done", 1);
     REQUIRE(checks.size() == 3);
-    CHECK(checks[1].state == CheckState::unfinished);
+    CHECK(checks[1].state == CheckState::endless);
     REQUIRE(checks[1].failures.size() == 1);
     CHECK(checks[1].failures[0].values.find("stopped after 1 s") != std::string::npos);
     CHECK(checks[2].state == CheckState::failed);
@@ -76,6 +85,47 @@ TEST_CASE("a check that ends the program is named") {
     REQUIRE(checks.size() == 3);
     REQUIRE(checks[1].failures.size() == 1);
     CHECK(checks[1].failures[0].values.find("code 3") != std::string::npos);
+}
+
+TEST_CASE("who builds has the folder alone until the end, or until the process ends") {
+    const TemporaryFolder folder;
+    const fs::path build = folder.path / "release";
+    const auto is_free = [&] {
+        const int other = open(folder.path.c_str(), O_RDONLY);
+        const bool got = flock(other, LOCK_EX | LOCK_NB) == 0;
+        close(other);
+        return got;
+    };
+    {
+        const BuildLock alone(build);
+        CHECK_FALSE(is_free());
+    }
+    CHECK(is_free());
+    const pid_t child = fork();
+    if (child == 0) {
+        new BuildLock(build / ""); // never given back
+        raise(SIGKILL);
+    }
+    waitpid(child, nullptr, 0);
+    CHECK(is_free());
+    const BuildLock nowhere("/nowhere/at/all"); // is none, and no error
+}
+
+TEST_CASE("temporary files and folders are new, each, and gone in the end") {
+    fs::path file, folder;
+    {
+        const TemporaryFile one, other;
+        const TemporaryFolder first, second;
+        CHECK(one.path != other.path);
+        CHECK(first.path != second.path);
+        CHECK(fs::is_regular_file(one.path));
+        put(first.path / "below/x", "x");
+        file = one.path, folder = first.path;
+    }
+    CHECK_FALSE(fs::exists(file));
+    CHECK_FALSE(fs::exists(folder));
+    CHECK_THROWS_AS(TemporaryFile("/nowhere/at/all"), Error);
+    CHECK_THROWS_AS(TemporaryFolder("/nowhere/at/all"), Error);
 }
 
 TEST_CASE("of a compiler's hundred lines the first error in a file of the learner's is the one to show") {

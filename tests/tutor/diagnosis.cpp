@@ -58,6 +58,7 @@ TEST_CASE("numbers are rounded to four digits, and what is no number stays") {
     CHECK(rounded("(0.123456, -12345.6, 7)") == "(0.1235, -1.235e+04, 7)");
     CHECK(rounded("vec3 x2 {?} -nan") == "vec3 x2 {?} nan");
     CHECK(rounded(std::string(500, 'x')).size() == 100);
+    CHECK(rounded("1.50000 1. 2e 2e+ 3e-07x 4E2 .5 x5 -0") == "1.5 1 2e 2e+ 3e-07x 400 .5 x5 -0");
 }
 
 TEST_CASE("a signature holds each assertion once, with how often it failed") {
@@ -80,6 +81,27 @@ TEST_CASE("signatures are written and read back") {
     CHECK_THROWS_WITH_AS(
         parse_signatures("far\n    nonsense\n", "mistakes/01_one.signatures"),
         "mistakes/01_one.signatures:2: not a line that prove writes; run ./learn prove --write again", Error);
+    for (const char* damaged :
+         {" ", "far\n ", "far\n a check", "far\n    ", "  a check\n", "    1\ta\tb\n"}) {
+        CAPTURE(std::string(damaged));
+        CHECK_THROWS_AS(parse_signatures(damaged, "x"), Error);
+    }
+}
+
+TEST_CASE("where a check does not end that is said, with the function, and no mistake is guessed at") {
+    const std::vector<Signature> all{known("far", {"a", "b"}, "6 == 4")};
+    auto broken_off = seen({"a", "b"}, "6 == 4");
+    broken_off[1].state = CheckState::endless;
+    Diagnosis diagnosis = diagnose(all, {seen({"a", "b"}, "6 == 4"), broken_off});
+    CHECK(diagnosis.ids.empty());
+    CHECK(diagnosis.confidence == Confidence::none);
+    REQUIRE(diagnosis.endless);
+    CHECK(diagnosis.endless->name == "b");
+    diagnosis.suspects = {"half (workshop/01_one/shape.h:5)"};
+    const std::string words = explanation(diagnosis, {});
+    for (const char* part :
+         {"does not end", "  b\n", "loop or a recursion", "half (workshop/01_one/shape.h:5)"})
+        CHECK_MESSAGE(words.find(part) != std::string::npos, words);
 }
 
 TEST_CASE("the mistake whose signature is seen is named, for certain") {

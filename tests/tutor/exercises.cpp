@@ -140,3 +140,20 @@ TEST_CASE("the headers that a header needs come before it") {
     CHECK(included_headers({small.root / "steps"}, "02_two/above.h") ==
           std::vector<std::string>{"01_one/shape.h", "02_two/base.h", "02_two/above.h"});
 }
+
+TEST_CASE("a function with a loop or a call of itself may not end, another one does") {
+    const auto may = [](const std::string& body) {
+        const std::string text =
+            "inline int f(int x) {\n" + body + "\n}\ninline int g(int x) {\n    for (;;) {}\n}\n";
+        return may_not_end({.function = "f"}, text);
+    };
+    CHECK_FALSE(may("    return x; // f(x), for (;;)"));
+    CHECK(may("    while (x > 0) ++x;"));
+    CHECK(may("    for (;;) {}"));
+    CHECK(may("    return f(x);"));
+}
+
+TEST_CASE("an empty file and an empty stub are no trouble") {
+    CHECK_FALSE(is_untouched({.function = "f"}, "", ""));
+    CHECK(place_of({.function = "f"}, "") == 1);
+}

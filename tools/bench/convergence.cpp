@@ -6,6 +6,7 @@
 #include "08_indirect/radiance.h"
 #include "08_indirect/room.h"
 #include "08_indirect/scene.h"
+#include "common/complain.h"
 #include "common/file_bytes.h"
 #include "common/render.h"
 #include "tools/bench/convergence.h"
@@ -19,7 +20,6 @@
 #include <cstring>
 #include <ctime>
 #include <filesystem>
-#include <iostream>
 #include <string>
 #include <vector>
 
@@ -344,7 +344,6 @@ int main(int argc, char** argv) {
     } catch (const CLI::CallForHelp& help) {
         return app.exit(help);
     } catch (const std::exception& problem) {
-        std::cerr << "bench_convergence: " << problem.what() << "\n";
-        return 2;
+        return rt::complain("bench_convergence", problem.what());
     }
 }

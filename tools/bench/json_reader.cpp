@@ -4,7 +4,9 @@
 
 #include "common/error.h"
 
-#include <charconv>
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <limits>
 
 namespace rt::bench {
@@ -54,11 +56,19 @@ class Reader {
         if (take("[")) return list(depth);
         if (take("\"")) return json.kind = Json::Kind::text, json.text = rest_of_text(), json;
         json.kind = Json::Kind::number;
-        const auto [end, problem] =
-            std::from_chars(text.data() + place, text.data() + text.size(), json.number);
-        if (problem != std::errc()) fail("a value is missing");
-        place = std::size_t(end - text.data());
+        json.number = digits();
         return json;
+    }
+
+    /// Not by std::from_chars, which not every standard library has for a double.
+    double digits() {
+        const std::size_t end = std::min(text.find_first_not_of("+-.0123456789eE", place), text.size());
+        const std::string word(text.substr(place, end - place));
+        char* rest = nullptr;
+        const double number = std::strtod(word.c_str(), &rest);
+        if (rest == word.c_str() || word[0] == '+' || !std::isfinite(number)) fail("a value is missing");
+        place += std::size_t(rest - word.c_str());
+        return number;
     }
 
     Json list(int depth) {
@@ -85,20 +95,33 @@ class Reader {
         return json;
     }
 
-    /// What no benchmark writes, \u and its digits, is kept as it stands.
     std::string rest_of_text() {
         std::string out;
         while (place < text.size() && text[place] != '"') {
-            if (text[place] == '\\' && place + 1 < text.size() && text[place + 1] != 'u') {
-                ++place;
-                out += text[place] == 'n' ? '\n' : text[place] == 't' ? '\t' : text[place];
-            } else {
-                out += text[place];
-            }
-            ++place;
+            if (text[place] == '\\' && place + 1 < text.size())
+                out += escaped();
+            else
+                out += text[place++];
         }
         demand("\"");
         return out;
+    }
+
+    /// The character of the escape that begins here. \u stands for ASCII alone: json_text writes no other.
+    char escaped() {
+        constexpr std::string_view letters = "bfnrt", characters = "\b\f\n\r\t";
+        const char kind = text[place + 1];
+        place += 2;
+        if (kind != 'u') {
+            const std::size_t i = letters.find(kind);
+            return i == std::string_view::npos ? kind : characters[i];
+        }
+        const std::string_view digits = text.substr(place, 4);
+        unsigned code = 0;
+        const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), code, 16);
+        if (problem != std::errc() || end - digits.data() != 4 || code > 0x7F) fail("an escape is not ASCII");
+        place += 4;
+        return char(code);
     }
 
     std::string_view text;

@@ -5,13 +5,14 @@
 #include "05_mesh_bvh/triangle.h"
 #include "06_textures/texture.h"
 #include "08_indirect/bounce.h"
+#include "common/complain.h"
 #include "common/compare/flip.h"
 #include "tools/bench/meshes.h"
 #include "tools/bench/ours.h"
 
 #include <benchmark/benchmark.h>
 
-#include <iostream>
+#include <string>
 #include <vector>
 
 namespace rt::bench {
@@ -174,8 +175,7 @@ BENCHMARK(flip_pictures)->Name("FLIP, 1024 x 768")->Unit(benchmark::kMillisecond
 int main(int argc, char** argv) {
     benchmark::Initialize(&argc, argv);
     if (argc > 1) {
-        std::cerr << "bench_kernels: " << argv[1] << " is not known; --help says what is\n";
-        return 2;
+        return rt::complain("bench_kernels", std::string(argv[1]) + " is not known; --help says what is");
     }
     benchmark::RunSpecifiedBenchmarks();
     benchmark::Shutdown();

@@ -1,6 +1,7 @@
 // How fast read_obj is, against tinyobjloader alone: both read the same file of a million triangles, in
 // interleaved rounds, and then the files with and without normals become a mesh.
 #include "05_mesh_bvh/mesh.h"
+#include "common/complain.h"
 #include "common/error.h"
 #include "common/file_bytes.h"
 #include "common/obj_file.h"
@@ -14,7 +15,6 @@
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
-#include <iostream>
 #include <random>
 
 namespace rt {
@@ -202,7 +202,6 @@ int main(int argc, char** argv) {
     try {
         rt::run(wish);
     } catch (const rt::Error& error) {
-        std::cerr << error.what() << "\n";
-        return 2;
+        return rt::complain("bench_obj_loading", error.what());
     }
 }

@@ -1,5 +1,6 @@
 // What each step's reference picture costs: seconds and rays a second with all threads, and where one
 // thread's time goes, which a program built from the same main.cpp tells (watched.h).
+#include "common/complain.h"
 #include "common/error.h"
 #include "common/json.h"
 #include "tools/bench/statistics.h"
@@ -10,7 +11,6 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
-#include <iostream>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -139,7 +139,6 @@ int main(int argc, char** argv) {
     } catch (const CLI::CallForHelp& help) {
         return app.exit(help);
     } catch (const std::exception& problem) {
-        std::cerr << "bench_renders: " << problem.what() << "\n";
-        return 2;
+        return rt::complain("bench_renders", problem.what());
     }
 }

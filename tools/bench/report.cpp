@@ -1,5 +1,6 @@
 // bench_report FOLDER: turns the numbers of traversal.json, scaling.json, ... in a folder into report.md and
 // plots.
+#include "common/complain.h"
 #include "common/error.h"
 #include "common/json.h"
 #include "tools/bench/json_reader.h"
@@ -13,7 +14,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <iostream>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -333,7 +333,7 @@ std::string machine() {
     std::string name = "a machine";
     for (std::string line; std::getline(cpu, line);)
         if (line.starts_with("model name")) {
-            name = line.substr(line.find(':') + 2);
+            name = line.substr(std::min(line.find(": "), line.size() - 2) + 2);
             break;
         }
     return "Measured on " + name + ", " + std::to_string(std::thread::hardware_concurrency()) +
@@ -368,7 +368,6 @@ int main(int argc, char** argv) {
     } catch (const CLI::CallForHelp& help) {
         return app.exit(help);
     } catch (const std::exception& problem) {
-        std::cerr << "bench_report: " << problem.what() << "\n";
-        return 2;
+        return rt::complain("bench_report", problem.what());
     }
 }

@@ -2,6 +2,7 @@
 // the same rays, the same threads, round about. Also how long both builds take, and what they hold.
 #include "tools/bench/agreement.h"
 #include "tools/bench/embree.h"
+#include "common/complain.h"
 #include "common/json.h"
 #include "tools/bench/memory.h"
 #include "tools/bench/meshes.h"
@@ -14,7 +15,6 @@
 
 #include <chrono>
 #include <cstdio>
-#include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -338,7 +338,6 @@ int main(int argc, char** argv) {
     } catch (const CLI::CallForHelp& help) {
         return app.exit(help);
     } catch (const std::exception& problem) {
-        std::cerr << "bench_traversal: " << problem.what() << "\n";
-        return 2;
+        return rt::complain("bench_traversal", problem.what());
     }
 }

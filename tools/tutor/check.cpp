@@ -2,6 +2,7 @@
 // is next.
 #include "tools/tutor/check.h"
 
+#include "common/complain.h"
 #include "common/error.h"
 #include "common/file_bytes.h"
 #include "tools/tutor/catalogue.h"
@@ -13,6 +14,7 @@
 #include "tools/tutor/gallery.h"
 #include "tools/tutor/hints.h"
 #include "tools/tutor/report.h"
+#include "tools/tutor/temporary.h"
 
 #include <algorithm>
 #include <chrono>
@@ -34,6 +36,7 @@ struct CheckedFile {
 
 /// All that one run finds out.
 struct Findings {
+    fs::path scratch; ///< a folder of this run alone
     std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
     std::vector<Exercise> exercises;
     std::vector<std::string> untouched; ///< exercises that still are as the stub has them
@@ -73,7 +76,8 @@ std::vector<std::string> untouched_exercises(const Project& project, const std::
     std::vector<std::string> names;
     for (const Exercise& exercise : exercises) {
         const fs::path own = project.workshop / step / exercise.file;
-        if (!fs::is_regular_file(own)) continue;
+        std::error_code ignored;
+        if (!fs::is_regular_file(own, ignored)) continue;
         const std::string reference = read_file((steps_folder(project) / step / exercise.file).string());
         const std::string stub = cut(reference, find_exercises(reference, exercise.file));
         if (is_untouched(exercise, read_file(own.string()), stub)) names.push_back(exercise.name);
@@ -88,7 +92,9 @@ const Exercise* exercise_at(const Project& project, const std::vector<Exercise>&
     int begin = 0;
     for (const Exercise& exercise : exercises) {
         const fs::path own = project.workshop / exercise.step / exercise.file;
-        if (!error.file.ends_with(exercise.step + "/" + exercise.file) || !fs::is_regular_file(own)) continue;
+        std::error_code ignored;
+        if (!error.file.ends_with(exercise.step + "/" + exercise.file) || !fs::is_regular_file(own, ignored))
+            continue;
         const int line = place_of(exercise, read_file(own.string()));
         if (line > error.line + 3 || line < begin) continue; // an error may be found before the gap itself
         nearest = &exercise;
@@ -100,10 +106,14 @@ const Exercise* exercise_at(const Project& project, const std::vector<Exercise>&
 /// The first error alone, and the first hint for the function that it is in.
 void say_compile_error(const Project& project, const std::string& step, const Built& built,
                        Findings& findings, std::ostream& out) {
-    if (!built.error) throw Error("the build failed, but not for an error in a file; it says: " + built.log);
+    if (!built.error)
+        throw Error(
+            "the build failed, but not for an error in a file; the next ./learn check mends broken files of "
+            "the build itself; it says: " +
+            built.log);
     const std::string place = shown(built.error->file, built.error->line);
-    out << "It does not compile yet. The first error:\n\n  " << place << "\n    " << built.error->message
-        << "\n\n";
+    out << "It does not compile yet. The first error:\n\n  " << place << "\n    "
+        << printable(built.error->message) << "\n\n";
     findings.picture = no_picture("it does not compile yet");
     findings.picture.lines = {place + ": " + built.error->message};
     findings.next = "./learn check " + number_of(step);
@@ -116,14 +126,15 @@ void say_compile_error(const Project& project, const std::string& step, const Bu
 }
 
 /// One file of checks. Once all of them hold, nothing but another program changes that: what they said then is kept.
-std::vector<CheckResult> run_file(const CheckWish& wish, const std::string& file) {
-    const fs::path program = wish.build / "bin" / ("test_" + file),
+std::vector<CheckResult> run_file(const CheckWish& wish, const std::string& file, const fs::path& scratch) {
+    const fs::path program = wish.build / "bin" / ("test_" + file), said = scratch / "checks.txt",
                    kept = wish.build / ("said_" + file + ".txt");
     std::error_code ignored;
-    if (fs::last_write_time(kept, ignored) > fs::last_write_time(program, ignored))
-        return parse_results(read_file(kept.string()));
-    std::vector<CheckResult> checks = run_all_checks(program, kept);
-    if (failures(checks) > 0) fs::remove(kept, ignored);
+    const fs::file_time_type made = fs::last_write_time(program, ignored);
+    if (fs::last_write_time(kept, ignored) > made) return parse_results(read_file(kept.string()));
+    std::vector<CheckResult> checks = run_all_checks(program, said);
+    if (failures(checks) == 0 && fs::last_write_time(program, ignored) == made)
+        fs::rename(said, kept, ignored);
     return checks;
 }
 
@@ -140,7 +151,7 @@ void run_earlier(const Project& project, const CheckWish& wish, Findings& findin
         if (step >= wish.step) break;
         std::vector<CheckResult> checks;
         for (const std::string& file : quick_files(project, step))
-            std::ranges::move(run_file(wish, file), std::back_inserter(checks));
+            std::ranges::move(run_file(wish, file, findings.scratch), std::back_inserter(checks));
         findings.earlier.push_back(step + ": " + held(checks));
         findings.earlier_hold = findings.earlier_hold && failures(checks) == 0;
     }
@@ -157,15 +168,34 @@ bool is_of_untouched(const std::string& step, const std::string& file, const Fin
     return of_some;
 }
 
+/// The functions that a check which does not end may hang in: of those that its file of checks is about and that are
+/// written, those that have a loop or call themselves, or else all.
+std::vector<std::string> suspects(const Project& project, const std::string& step, const Findings& findings) {
+    std::vector<std::string> all, loops;
+    for (const Exercise& exercise : findings.exercises) {
+        const std::string path = (project.workshop / step / exercise.file).string();
+        const auto& untouched = findings.untouched;
+        const bool written = std::ranges::find(untouched, exercise.name) == untouched.end();
+        const std::string program = "test_" + check_file_of(step, exercise.file);
+        std::error_code ignored;
+        if (!written || findings.diagnosis.endless->failures.front().place != program) continue;
+        if (!fs::is_regular_file(path, ignored)) continue;
+        all.push_back(exercise.name + " (" + shown(path, place_of(exercise, read_file(path))) + ")");
+        if (may_not_end(exercise, read_file(path))) loops.push_back(all.back());
+    }
+    return loops.empty() ? all : loops;
+}
+
 /// By what the checks say. A picture that is wrong is compared with those of the known mistakes, too.
 void find_mistake(const Project& project, const CheckWish& wish, Findings& findings) {
     std::vector<std::vector<CheckResult>> written;
     for (const CheckedFile& file : findings.files)
         if (!is_of_untouched(wish.step, file.name, findings)) written.push_back(file.results);
     findings.diagnosis = diagnose(read_signatures(project.root, wish.step), written);
+    if (findings.diagnosis.endless) findings.diagnosis.suspects = suspects(project, wish.step, findings);
     const bool begun = findings.untouched.size() < findings.exercises.size();
     if (begun && findings.picture.judgement && !findings.picture.holds)
-        findings.alike = alike(project.root, wish.step, wish.build);
+        findings.alike = alike(project.root, wish.step, wish.build, findings.scratch);
     for (const Mistake& mistake : read_catalogue(project.root, wish.step)) {
         if (!findings.diagnosis.ids.empty() && mistake.id == findings.diagnosis.ids.front())
             findings.mistake = mistake;
@@ -197,11 +227,11 @@ std::string next_thing(const Project& project, const std::string& step, const Fi
 // --- one screen -------------------------------------------------------------------------------------------------
 
 void say_failure(const CheckResult& check, std::ostream& out) {
-    out << "  red     " << check.name << "\n";
+    out << "  red     " << printable(check.name) << "\n";
     if (check.failures.empty()) return;
     const Failure& failure = check.failures.front();
-    out << "            " << failure.values << "\n";
-    if (!failure.notes.empty()) out << "            " << failure.notes.front() << "\n";
+    out << "            " << printable(failure.values) << "\n";
+    if (!failure.notes.empty()) out << "            " << printable(failure.notes.front()) << "\n";
 }
 
 void say_checks(const Project& project, const std::string& step, const Findings& findings,
@@ -236,7 +266,8 @@ ReportCheck report_check(const CheckResult& check) {
     ReportCheck shown{check.name, "ok", check.seconds, {}};
     if (check.state == CheckState::failed) shown.state = "failed";
     if (check.state == CheckState::skipped) shown.state = "skipped";
-    if (check.state == CheckState::unfinished) shown.state = "unfinished";
+    if (check.state == CheckState::unfinished || check.state == CheckState::endless)
+        shown.state = "unfinished";
     for (const Failure& failure : check.failures) {
         shown.lines.push_back(failure.expression + ": " + failure.values);
         shown.lines.insert(shown.lines.end(), failure.notes.begin(), failure.notes.end());
@@ -275,11 +306,11 @@ std::string saved_last(const Project& project, const std::string& step) {
     std::string last;
     fs::file_time_type when = fs::file_time_type::min();
     for (const Exercise& exercise : exercises_of(project, step)) {
-        std::error_code missing;
+        std::error_code missing, ignored;
         const fs::path own = project.workshop / step / exercise.file;
         const fs::file_time_type saved = fs::last_write_time(own, missing);
         const bool has_checks =
-            fs::exists(project.root / "tests" / (check_file_of(step, exercise.file) + ".cpp"));
+            fs::exists(project.root / "tests" / (check_file_of(step, exercise.file) + ".cpp"), ignored);
         if (!has_checks || (!missing && saved < when) || (missing && !last.empty())) continue;
         last = exercise.file;
         if (!missing) when = saved;
@@ -292,14 +323,15 @@ Built answer_quickly(const Project& project, const CheckWish& wish, Findings& fi
     const std::string file = saved_last(project, wish.step), checks = check_file_of(wish.step, file);
     std::vector<std::string> targets{"test_" + checks};
     if (wish.picture) targets.push_back(wish.step);
-    const Built built = build_targets(wish.build, targets, wish.build / "said.txt", "/workshop/", [&] {
-        const std::vector<CheckResult> results = run_file(wish, checks);
+    const fs::path said = findings.scratch / "built.txt";
+    const Built built = build_targets(wish.build, targets, said, "/workshop/", [&] {
+        const std::vector<CheckResult> results = run_file(wish, checks, findings.scratch);
         out << "first     " << file << ", quick ones: " << held(results) << " hold ("
             << seconds_since(findings) << " s)\n"
             << std::flush;
     });
     if (!built.well || !wish.picture) return built;
-    findings.picture = judge_picture(project.root, wish.step, wish.build, Samples::few);
+    findings.picture = judge_picture(project.root, wish.step, wish.build, findings.scratch, Samples::few);
     out << (findings.picture.complete ? "picture   " : "glimpse   ") << findings.picture.lines.front() << " ("
         << seconds_since(findings) << " s)\n"
         << std::flush;
@@ -312,7 +344,7 @@ Built build_others(const Project& project, const CheckWish& wish, Findings& find
     for (const std::string& step : all_steps(project))
         if (step <= wish.step)
             for (const std::string& file : quick_files(project, step)) targets.push_back("test_" + file);
-    const Built built = build_targets(wish.build, targets, wish.build / "said.txt", "/workshop/");
+    const Built built = build_targets(wish.build, targets, findings.scratch / "built.txt", "/workshop/");
     out << "built     the other checks (" << seconds_since(findings) << " s)\n" << std::flush;
     return built;
 }
@@ -320,19 +352,19 @@ Built build_others(const Project& project, const CheckWish& wish, Findings& find
 /// Runs the checks, renders, compares; says what holds, what is likely wrong and what is next.
 void find_out(const Project& project, const CheckWish& wish, Findings& findings, std::ostream& out) {
     for (const std::string& file : quick_files(project, wish.step)) {
-        findings.files.push_back({file, run_file(wish, file)});
+        findings.files.push_back({file, run_file(wish, file, findings.scratch)});
         std::ranges::copy(findings.files.back().results, std::back_inserter(findings.checks));
     }
     say_checks(project, wish.step, findings, out);
     out << std::flush;
     run_earlier(project, wish, findings);
-    for (const std::string& line : findings.earlier) out << "earlier   " << line << "\n";
+    for (const std::string& line : findings.earlier) out << "earlier   " << printable(line) << "\n";
     if (!wish.picture)
         findings.picture = no_picture("only the checks were asked for");
     else if (!findings.picture.complete)
-        findings.picture = judge_picture(project.root, wish.step, wish.build, Samples::all);
+        findings.picture = judge_picture(project.root, wish.step, wish.build, findings.scratch, Samples::all);
     find_mistake(project, wish, findings);
-    for (const std::string& line : findings.picture.lines) out << "picture   " << line << "\n";
+    for (const std::string& line : findings.picture.lines) out << "picture   " << printable(line) << "\n";
     say_mistake(project, wish.step, findings, out);
     findings.next = next_thing(project, wish.step, findings);
 }
@@ -340,7 +372,9 @@ void find_out(const Project& project, const CheckWish& wish, Findings& findings,
 } // namespace
 
 int check_step(const Project& project, const CheckWish& wish, std::ostream& out) {
+    const TemporaryFolder scratch(wish.build);
     Findings findings;
+    findings.scratch = scratch.path;
     findings.exercises = exercises_of(project, wish.step);
     findings.untouched = untouched_exercises(project, wish.step, findings.exercises);
     out << "Step " << number_of(wish.step) << ": " << question_of(project, wish.step) << "\n";

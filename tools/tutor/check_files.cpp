@@ -11,12 +11,11 @@ namespace fs = std::filesystem;
 
 std::vector<std::string> check_files(const fs::path& root, const std::string& step) {
     std::vector<std::string> files;
-    for (const auto& entry : fs::directory_iterator(root / "tests")) {
-        const fs::path name = entry.path().filename();
+    for (const fs::path& entry : entries_of(root / "tests")) {
+        const fs::path name = entry.filename();
         if (name.extension() == ".cpp" && name.string().starts_with(step))
             files.push_back(name.stem().string());
     }
-    std::ranges::sort(files);
     std::stable_partition(files.begin(), files.end(), [](const std::string& file) { return !is_slow(file); });
     auto place = files.begin();
     for (const Exercise& exercise : find_step_exercises(root / "steps", step)) {

@@ -1,13 +1,15 @@
-// Renders into the build's folder, so that a picture that the learner made before stays.
+// Renders into a folder of its own, so that a picture that the learner made before stays.
 #include "tools/tutor/check_picture.h"
 
 #include "common/error.h"
 #include "common/file_bytes.h"
 #include "common/image_file.h"
+#include "tools/tutor/build_lock.h"
 #include "tools/tutor/gallery.h"
 #include "tools/tutor/process.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <sstream>
 
 namespace rt {
@@ -63,10 +65,9 @@ PictureFinding no_picture(const std::string& reason) {
 }
 
 PictureFinding judge_picture(const fs::path& root, const std::string& step, const fs::path& build,
-                             Samples samples) {
-    const fs::path references = root / "assets" / "reference", out = build / "checked";
+                             const fs::path& out, Samples samples) {
+    const fs::path references = root / "assets" / "reference";
     const fs::path variance = references / (step + ".variance.hdr");
-    fs::create_directories(out);
     std::vector<std::string> command{(build / "bin" / step).string(), "--quiet", "--out",
                                      (out / step).string()};
     if (fs::exists(variance))
@@ -75,7 +76,8 @@ PictureFinding judge_picture(const fs::path& root, const std::string& step, cons
     for (const std::string& word :
          with_samples(split(reference_fact(root, step, "test flags")), glimpse ? few_samples : ""))
         command.push_back(word);
-    const fs::path said = build / "said.txt";
+    const fs::path said = out / "said.txt";
+    await_program(command[0]);
     const Ended ended = run_process(command, said, {.seconds = seconds_for_a_picture});
     if (ended.too_long)
         return failed("the program was stopped after " + std::to_string(seconds_for_a_picture) +
@@ -85,7 +87,7 @@ PictureFinding judge_picture(const fs::path& root, const std::string& step, cons
 
     Question question{read_stored((out / (step + ".hdr")).string()),
                       read_stored((references / (step + ".hdr")).string())};
-    question.step = std::stoi(step);
+    question.step = std::atoi(step.c_str());
     if (fs::exists(variance))
         question.variances = {read_image((out / (step + ".variance.hdr")).string()),
                               read_image(variance.string())};
@@ -106,11 +108,12 @@ PictureFinding judge_picture(const fs::path& root, const std::string& step, cons
     return finding;
 }
 
-std::vector<std::string> alike(const fs::path& root, const std::string& step, const fs::path& build) {
-    const fs::path picture = build / "checked" / (step + ".small.png");
+std::vector<std::string> alike(const fs::path& root, const std::string& step, const fs::path& build,
+                               const fs::path& out) {
+    const fs::path picture = out / (step + ".small.png");
     std::vector<std::string> command{(build / "bin" / step).string(), "--quiet", "--out", picture.string()};
     for (const std::string& word : gallery_flags(root, step)) command.push_back(word);
-    const Ended ended = run_process(command, build / "said.txt", {.seconds = seconds_for_a_picture});
+    const Ended ended = run_process(command, out / "said.txt", {.seconds = seconds_for_a_picture});
     return ended.code == 0 ? nearest_mistake(root, step, picture).names : std::vector<std::string>();
 }
 

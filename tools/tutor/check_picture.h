@@ -25,14 +25,15 @@ struct PictureFinding {
 /// With few samples noisy pictures are there much sooner, and their noise, which is known, hides less than one thinks.
 enum class Samples { few, all };
 
-/// Renders with the flags under which pictures of the step are compared, and judges. A program that crashes, does not
+/// Renders into `out` with the flags under which pictures of the step are compared, and judges. A program that crashes, does not
 /// end or complains is a finding too. Throws Error if there is no reference.
 PictureFinding judge_picture(const std::filesystem::path& root, const std::string& step,
-                             const std::filesystem::path& build, Samples samples);
+                             const std::filesystem::path& build, const std::filesystem::path& out,
+                             Samples samples);
 
 /// The ids of the known mistakes with which the program makes the same picture; none if it is like none of them.
 std::vector<std::string> alike(const std::filesystem::path& root, const std::string& step,
-                               const std::filesystem::path& build);
+                               const std::filesystem::path& build, const std::filesystem::path& out);
 
 PictureFinding no_picture(const std::string& reason);
 

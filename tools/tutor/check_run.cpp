@@ -3,6 +3,7 @@
 
 #include "common/error.h"
 #include "common/file_bytes.h"
+#include "tools/tutor/build_lock.h"
 #include "tools/tutor/process.h"
 
 #include <csignal>
@@ -40,14 +41,17 @@ std::vector<CheckResult> run_all_checks(const std::filesystem::path& program,
                                         const std::filesystem::path& said, int seconds) {
     const RunLimits limits{.seconds = seconds, .memory = std::uint64_t(8) << 30};
     std::vector<CheckResult> all;
+    await_program(program);
     for (int endless = 0;;) {
         const Ended ended =
             run_process({program.string(), "--reporters=lines", "--first=" + std::to_string(all.size() + 1)},
                         said, limits);
         std::vector<CheckResult> some = parse_results(read_file(said.string()));
         const bool broken_off = !some.empty() && some.back().state == CheckState::unfinished;
-        if (broken_off)
+        if (broken_off) {
             some.back().failures = {{program.filename().string(), "", reason(ended, seconds), {}}};
+            if (ended.too_long) some.back().state = CheckState::endless;
+        }
         all.insert(all.end(), some.begin(), some.end());
         if (!broken_off) break;
         if (ended.too_long && ++endless == most_endless) {

@@ -1,7 +1,9 @@
 // Reads "file:line:column: error: message", which GCC and Clang agree on.
 #include "tools/tutor/compile.h"
 
+#include "common/cores.h"
 #include "common/file_bytes.h"
+#include "tools/tutor/build_lock.h"
 #include "tools/tutor/process.h"
 
 #include <algorithm>
@@ -9,7 +11,6 @@
 #include <fstream>
 #include <future>
 #include <sstream>
-#include <thread>
 
 namespace rt {
 
@@ -65,12 +66,14 @@ std::optional<CompileError> first_error(const std::string& log, const std::strin
 
 Built build_targets(const fs::path& build, const std::vector<std::string>& targets, const fs::path& said,
                     const std::string& preferred, const std::function<void()>& first_is_there) {
-    const std::string jobs =
-        std::to_string(std::max(1u, std::thread::hardware_concurrency())); // ninja takes two more
+    const std::string jobs = std::to_string(usable_cores()); // ninja takes two more
     std::vector<std::string> command{"/usr/bin/env", "cmake", "--build", build.string(),
                                      "--parallel",   jobs,    "--target"};
     command.insert(command.end(), targets.begin(), targets.end());
-    auto ended = std::async(std::launch::async, [&] { return run_process(command, said); });
+    auto ended = std::async(std::launch::async, [&] {
+        const BuildLock alone(build);
+        return run_process(command, said);
+    });
     bool told = !first_is_there;
     while (ended.wait_for(std::chrono::milliseconds(20)) != std::future_status::ready) {
         if (told || !is_linked(said, targets[0])) continue;

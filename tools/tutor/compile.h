@@ -25,7 +25,7 @@ struct Built {
     std::string log;
 };
 
-/// Builds the targets in the folder of a configured build. Calls `first_is_there`, on this thread, as soon as the program
+/// Builds the targets in the folder of a configured build, alone (BuildLock); what is said goes to `said`. Calls `first_is_there`, on this thread, as soon as the program
 /// bin/`targets[0]` is made anew, or at the end if there was nothing to make; not if anything failed before.
 Built build_targets(const std::filesystem::path& build, const std::vector<std::string>& targets,
                     const std::filesystem::path& said, const std::string& preferred,

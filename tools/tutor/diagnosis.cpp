@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cstdio>
 #include <cstdlib>
 #include <set>
@@ -73,13 +72,20 @@ void read_event(const std::vector<std::string>& parts, std::vector<CheckResult>&
 
 /// The end of the number that begins at `begin`, or `begin` if none does.
 std::size_t end_of_number(std::string_view text, std::size_t begin) {
+    const auto behind_digits = [&](std::size_t at) {
+        while (at < text.size() && std::isdigit(static_cast<unsigned char>(text[at])) != 0) ++at;
+        return at;
+    };
+    const auto is_at = [&](std::size_t at, std::string_view signs) {
+        return at < text.size() && signs.find(text[at]) != signs.npos;
+    };
     if (begin > 0 && is_word(text[begin - 1])) return begin;
-    double value = 0;
-    const char* first = text.data() + begin;
-    const auto [end, error] = std::from_chars(first, text.data() + text.size(), value);
-    const bool number =
-        error != std::errc::invalid_argument && std::isdigit(static_cast<unsigned char>(*first)) != 0;
-    return number ? std::size_t(end - text.data()) : begin;
+    std::size_t end = behind_digits(begin);
+    if (end == begin) return begin;
+    if (is_at(end, ".")) end = behind_digits(end + 1);
+    if (!is_at(end, "eE")) return end;
+    const std::size_t exponent = end + (is_at(end + 1, "+-") ? 2 : 1);
+    return behind_digits(exponent) > exponent ? behind_digits(exponent) : end;
 }
 
 } // namespace
@@ -95,7 +101,7 @@ std::vector<CheckResult> parse_results(std::string_view lines) {
 }
 
 bool has_failed(const CheckResult& result) {
-    return result.state == CheckState::failed || result.state == CheckState::unfinished;
+    return result.state != CheckState::ok && result.state != CheckState::skipped;
 }
 
 std::string rounded(std::string_view values) {
@@ -129,7 +135,7 @@ Signature signature_of(const std::string& id, const std::vector<CheckResult>& re
     for (const CheckResult& result : results) {
         if (!has_failed(result)) continue;
         for (const Failure& failure : result.failures) add(result.name, failure.expression, failure.values);
-        if (result.state == CheckState::unfinished) add(result.name, not_ended, "");
+        if (result.state != CheckState::failed) add(result.name, not_ended, "");
     }
     return signature;
 }
@@ -161,13 +167,16 @@ std::vector<Signature> parse_signatures(const std::string& text, const std::stri
         if (line.empty() || line[0] == '#') continue;
         if (line[0] != ' ') {
             signatures.push_back({line, {}});
-        } else if (!line.starts_with("    ")) {
+            continue;
+        }
+        const bool names_check = !line.starts_with("    ");
+        const auto parts = split(line.substr(std::min<std::size_t>(line.size(), 4)), '\t');
+        if (signatures.empty() || !line.starts_with("  ") || (!names_check && parts.size() != 3))
+            throw Error(path + ":" + std::to_string(number) +
+                        ": not a line that prove writes; run ./learn prove --write again");
+        if (names_check) {
             check = line.substr(2);
         } else {
-            const auto parts = split(line.substr(4), '\t');
-            if (parts.size() != 3 || signatures.empty())
-                throw Error(path + ":" + std::to_string(number) +
-                            ": not a line that prove writes; run ./learn prove --write again");
             signatures.back().symptoms.push_back({check, parts[1], parts[2], std::atoi(parts[0].c_str())});
         }
     }
@@ -176,7 +185,8 @@ std::vector<Signature> parse_signatures(const std::string& text, const std::stri
 
 std::vector<Signature> read_signatures(const std::filesystem::path& root, const std::string& step) {
     const std::filesystem::path path = root / "mistakes" / (step + ".signatures");
-    if (!std::filesystem::exists(path)) return {};
+    std::error_code ignored;
+    if (!std::filesystem::exists(path, ignored)) return {};
     return parse_signatures(read_file(path.string()), "mistakes/" + step + ".signatures");
 }
 
@@ -201,6 +211,8 @@ Diagnosis diagnose(const std::vector<Signature>& known, const std::vector<std::v
         const auto failed = std::ranges::find_if(results, has_failed);
         if (failed == results.end()) continue;
         if (diagnosis.first.name.empty()) diagnosis.first = *failed;
+        const auto endless = std::ranges::find(results, CheckState::endless, &CheckResult::state);
+        if (endless != results.end() && !diagnosis.endless) diagnosis.endless = *endless;
         const std::vector<Match> matches = ranked(known, signature_of("", results));
         if (matches.empty() || matches[0].score <= best + 1e-9) continue;
         best = matches[0].score;
@@ -212,6 +224,7 @@ Diagnosis diagnose(const std::vector<Signature>& known, const std::vector<std::v
                            : best > 0.65 ? Confidence::likely
                            : best > 0.45 ? Confidence::perhaps
                                          : Confidence::none;
+    if (diagnosis.endless) diagnosis.confidence = Confidence::none;
     if (diagnosis.confidence == Confidence::none) diagnosis.ids.clear();
     return diagnosis;
 }
@@ -225,8 +238,21 @@ std::string words(Confidence confidence) {
     }
 }
 
+namespace {
+
+std::string words_on_endless(const Diagnosis& diagnosis) {
+    std::string out = "A check does not end, so nothing that follows from it says what is wrong:\n  " +
+                      diagnosis.endless->name + "\n  Look for a loop or a recursion without end";
+    for (std::size_t i = 0; i < diagnosis.suspects.size(); ++i)
+        out += (i == 0 ? " in " : " or ") + diagnosis.suspects[i];
+    return out + ".\n";
+}
+
+} // namespace
+
 std::string explanation(const Diagnosis& diagnosis, const std::vector<Mistake>& catalogue) {
     if (diagnosis.first.name.empty()) return "";
+    if (diagnosis.endless) return words_on_endless(diagnosis);
     std::string out;
     if (diagnosis.ids.size() > 1) out += "One of these, which the checks cannot tell apart:\n";
     for (const std::string& id : diagnosis.ids) {

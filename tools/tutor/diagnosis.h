@@ -5,6 +5,7 @@
 #include "tools/tutor/catalogue.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,8 +20,8 @@ struct Failure {
     std::vector<std::string> notes; ///< what the check says to explain it
 };
 
-/// `unfinished`: it crashed, or was stopped because it took too long.
-enum class CheckState { ok, failed, skipped, unfinished };
+/// `unfinished`: it crashed; `endless`: it was stopped because it took too long.
+enum class CheckState { ok, failed, skipped, unfinished, endless };
 
 /// What came of one test case.
 struct CheckResult {
@@ -78,17 +79,19 @@ struct Diagnosis {
     Confidence confidence = Confidence::none;
     std::vector<std::string> ids; ///< one mistake, or those that cannot be told apart; none if none is likely
     CheckResult first;            ///< the first check that failed: later ones may only follow from it
+    std::optional<CheckResult> endless; ///< the first one that did not end; then no mistake is guessed at
+    std::vector<std::string> suspects;  ///< the functions that it may hang in, if somebody knows
 };
 
 /// Of what came of each file of checks, in their order. One that fits a known mistake counts, whatever else fails:
-/// other functions may still be empty.
+/// other functions may still be empty. Where a check does not end no mistake is named: what it breaks off says nothing.
 Diagnosis diagnose(const std::vector<Signature>& known, const std::vector<std::vector<CheckResult>>& files);
 
 /// "certainly", "most likely", "perhaps", "none that we know".
 std::string words(Confidence confidence);
 
-/// In finished words, over some lines: the likely mistake, why it is one and what to do; or, if none is likely, the first
-/// check that failed and what it says. Empty if nothing failed.
+/// In finished words, over some lines: the check that does not end; or the likely mistake, why it is one and what to do; or,
+/// if none is likely, the first check that failed and what it says. Empty if nothing failed.
 std::string explanation(const Diagnosis& diagnosis, const std::vector<Mistake>& catalogue);
 
 } // namespace rt

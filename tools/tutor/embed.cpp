@@ -3,6 +3,7 @@
 
 #include "common/error.h"
 #include "common/file_bytes.h"
+#include "common/utf8.h"
 
 #include <cstdint>
 #include <cstdio>
@@ -12,23 +13,6 @@ namespace {
 
 std::uint8_t byte_at(std::string_view bytes, std::size_t i) {
     return static_cast<std::uint8_t>(bytes[i]);
-}
-
-/// How many bytes the UTF-8 character at the front has, or 0 if none stands there (RFC 3629: no surrogates,
-/// nothing in more bytes than it needs).
-std::size_t character_length(std::string_view text) {
-    const std::uint8_t first = byte_at(text, 0);
-    if (first < 0x80) return 1;
-    const std::size_t length = first >= 0xC2 && first < 0xE0 ? 2 : first >= 0xE0 && first < 0xF0 ? 3 : 4;
-    if (first < 0xC2 || first > 0xF4 || text.size() < length) return 0;
-    for (std::size_t i = 1; i < length; ++i)
-        if ((byte_at(text, i) & 0xC0) != 0x80) return 0;
-    const std::uint8_t second = byte_at(text, 1);
-    if (first == 0xE0 && second < 0xA0) return 0;
-    if (first == 0xED && second > 0x9F) return 0;
-    if (first == 0xF0 && second < 0x90) return 0;
-    if (first == 0xF4 && second > 0x8F) return 0;
-    return length;
 }
 
 std::string escaped(std::uint8_t c) {

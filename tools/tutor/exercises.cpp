@@ -110,9 +110,8 @@ void visit(const std::vector<fs::path>& folders, const std::string& header, std:
 /// The headers of a step, each after those that it includes.
 std::vector<std::string> headers_in_order(const fs::path& steps, const std::string& step) {
     std::vector<std::string> headers, order;
-    for (const auto& entry : fs::directory_iterator(steps / step))
-        if (entry.path().extension() == ".h") headers.push_back(entry.path().filename().string());
-    std::ranges::sort(headers);
+    for (const fs::path& entry : entries_of(steps / step))
+        if (entry.extension() == ".h") headers.push_back(entry.filename().string());
     std::set<std::string> met;
     std::vector<std::string> all;
     for (const std::string& header : headers) visit({steps}, step + "/" + header, met, all);
@@ -145,6 +144,15 @@ std::vector<std::string> lines_of(const std::string& text) {
         begin = end + 1;
     }
     return lines;
+}
+
+std::vector<fs::path> entries_of(const fs::path& folder) {
+    std::vector<fs::path> entries;
+    std::error_code failure;
+    for (fs::directory_iterator at(folder, failure), end; !failure && at != end; at.increment(failure))
+        entries.push_back(at->path());
+    std::ranges::sort(entries);
+    return entries;
 }
 
 std::vector<Exercise> find_exercises(const std::string& text, const std::string& path) {
@@ -226,10 +234,22 @@ bool is_untouched(const Exercise& exercise, const std::string& text, const std::
     std::set<std::string> functions;
     for (std::size_t line = 1; line <= lines.size(); ++line)
         if (function_name(lines[line - 1]) == exercise.function) functions.insert(bare_function(lines, line));
-    const int task = place_of(exercise, stub);
-    for (std::size_t line = std::size_t(task); line > 0; --line)
+    const std::size_t task = std::size_t(place_of(exercise, stub));
+    for (std::size_t line = std::min(task, stub_lines.size()); line > 0; --line)
         if (function_name(stub_lines[line - 1]) == exercise.function)
             return functions.contains(bare_function(stub_lines, line));
+    return false;
+}
+
+bool may_not_end(const Exercise& exercise, const std::string& text) {
+    const std::vector<std::string> lines = lines_of(text);
+    for (std::size_t line = 1; line <= lines.size(); ++line) {
+        if (function_name(lines[line - 1]) != exercise.function) continue;
+        const std::string bare = bare_function(lines, line), call = exercise.function + "(";
+        for (const char* loop : {"while(", "for(", "do{", "goto"})
+            if (bare.find(loop) != std::string::npos) return true;
+        if (bare.find(call) != bare.rfind(call)) return true;
+    }
     return false;
 }
 

@@ -25,6 +25,9 @@ struct Exercise {
 /// A text's lines without their ends.
 std::vector<std::string> lines_of(const std::string& text);
 
+/// What stands in a folder, sorted; nothing if it cannot be read, or only what could be.
+std::vector<std::filesystem::path> entries_of(const std::filesystem::path& folder);
+
 /// The regions of one file of a step. `path` is named in the Error that a region without end, without task or
 /// outside of a function throws.
 std::vector<Exercise> find_exercises(const std::string& text, const std::string& path);
@@ -46,6 +49,9 @@ int place_of(const Exercise& exercise, const std::string& text);
 
 /// Whether the exercise's function still is what the stub says; blanks and comments do not count.
 bool is_untouched(const Exercise& exercise, const std::string& text, const std::string& stub);
+
+/// Whether the exercise's function in the learner's file has a loop or calls itself, so that it may not end.
+bool may_not_end(const Exercise& exercise, const std::string& text);
 
 /// A header ("03_mirror/mirror.h") and all headers of the steps that it includes, those before it that it
 /// needs. A header in the first of `folders` that has it takes the others' place.

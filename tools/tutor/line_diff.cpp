@@ -1,6 +1,8 @@
 // The longest common subsequence by the usual table, and the changes gathered into hunks.
 #include "tools/tutor/line_diff.h"
 
+#include "common/complain.h"
+
 #include <algorithm>
 #include <cstdint>
 
@@ -71,7 +73,8 @@ std::vector<Hunk> hunks_of(const std::vector<DiffLine>& diff) {
     return hunks;
 }
 
-std::string painted(const char* code, const std::string& text, bool colour) {
+std::string painted(const char* code, const std::string& line, bool colour) {
+    const std::string text = printable_lines(line);
     return colour ? std::string("\x1b[") + code + "m" + text + "\x1b[0m\n" : text + "\n";
 }
 
@@ -121,7 +124,7 @@ std::string unified(const std::vector<DiffLine>& diff, const std::string& first_
         for (std::size_t i = hunk.begin; i < hunk.end; ++i) {
             const auto& [kind, line] = diff[i];
             if (kind == ' ')
-                text += ' ' + line + "\n";
+                text += ' ' + printable_lines(line) + "\n";
             else
                 text += painted(kind == '-' ? "31" : "32", kind + line, colour);
         }

@@ -3,12 +3,14 @@
 
 #include "common/error.h"
 #include "common/file_bytes.h"
+#include "tools/tutor/build_lock.h"
 #include "tools/tutor/check_files.h"
 #include "tools/tutor/compile.h"
 #include "tools/tutor/exercises.h"
 #include "tools/tutor/gallery.h"
 #include "tools/tutor/hash.h"
 #include "tools/tutor/process.h"
+#include "tools/tutor/temporary.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -40,15 +42,17 @@ std::string included(const std::string& line) {
 /// The text that an include finds: the change's, the reference's, or the project's.
 std::string text_of(const Toolchain& tools, const Change& change, const std::string& name) {
     if (const auto found = change.headers.find(name); found != change.headers.end()) return found->second;
+    std::error_code ignored; // a name that is too long is none that is there
     for (const fs::path& folder : {tools.root / "steps", tools.root})
-        if (fs::exists(folder / name)) return read_file((folder / name).string());
+        if (fs::exists(folder / name, ignored)) return read_file((folder / name).string());
     return "";
 }
 
 /// "05_mesh_bvh/shapes.cpp" for shapes.h, if a part of the step stands there that is compiled by itself; or nothing.
 std::string part_beside(const Toolchain& tools, const std::string& header) {
     const std::string part = fs::path(header).replace_extension(".cpp").string();
-    return header.ends_with(".h") && fs::exists(tools.root / "steps" / part) ? part : "";
+    std::error_code ignored;
+    return header.ends_with(".h") && fs::exists(tools.root / "steps" / part, ignored) ? part : "";
 }
 
 /// `seen` grows by the name and whatever belongs to it.
@@ -111,22 +115,6 @@ std::vector<std::string> compile_command(const Toolchain& tools, const fs::path&
     return command;
 }
 
-/// A folder that nobody else uses, gone with all that is in it in the end.
-struct Scratch {
-    fs::path path;
-    Scratch(const Toolchain& tools, const Change& change, const std::string& kind)
-        : path(tools.work / "scratch" / (change.step + "." + change.id + "." + kind)) {
-        fs::remove_all(path);
-        fs::create_directories(path);
-    }
-    ~Scratch() {
-        std::error_code ignored;
-        fs::remove_all(path, ignored);
-    }
-    Scratch(const Scratch&) = delete;
-    Scratch& operator=(const Scratch&) = delete;
-};
-
 /// The compiler's first error, on one line.
 std::string complaint_in(const fs::path& log) {
     const auto error = first_error(read_file(log.string()), "");
@@ -186,7 +174,7 @@ Outcome outcome_from(const std::string& kept) {
 Outcome run_source(const Toolchain& tools, const Change& change, const std::string& source) {
     const fs::path kept = tools.work / "cache" / (look_at(tools, change, source).key + ".lines");
     if (fs::exists(kept)) return outcome_from(read_file(kept.string()));
-    const Scratch scratch(tools, change, fs::path(source).stem().string());
+    const TemporaryFolder scratch(tools.work);
     write_overlay(scratch.path, change);
     const fs::path program = scratch.path / "checks", log = scratch.path / "checks.log";
     if (const std::string complaint = build_checks(tools, change, source, scratch.path, program);
@@ -261,6 +249,7 @@ std::string proof_key(const Toolchain& tools, const std::string& step) {
 }
 
 void prepare(const Toolchain& tools, const std::string& step) {
+    const BuildLock alone(tools.work);
     parse_ahead(tools, "tests/prefix.h", optimisation(step));
     parse_ahead(tools, "common/prefix.h", part_level);
 }
@@ -281,7 +270,7 @@ bool render_picture(const Toolchain& tools, const Change& change, const fs::path
     const fs::path stamp = fs::path(picture).replace_extension(".key");
     const auto [key, parts] = look_at(tools, change, source);
     if (fs::exists(stamp) && read_file(stamp.string()) == key) return fs::exists(picture);
-    const Scratch scratch(tools, change, "picture");
+    const TemporaryFolder scratch(tools.work);
     write_overlay(scratch.path, change);
     const fs::path program = scratch.path / "program", log = scratch.path / "log";
     std::vector<std::string> objects;

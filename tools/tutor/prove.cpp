@@ -2,6 +2,7 @@
 // names it. ./learn prove runs it.
 #include "common/compare/judge.h"
 #include "common/complain.h"
+#include "common/cores.h"
 #include "common/error.h"
 #include "common/file_bytes.h"
 #include "common/json.h"
@@ -71,14 +72,14 @@ struct StepProof {
 
 std::vector<std::string> step_names(const fs::path& root, const std::string& wanted) {
     std::vector<std::string> steps;
-    for (const auto& entry : fs::directory_iterator(root / "steps")) {
-        const std::string name = entry.path().filename().string();
+    for (const fs::path& entry : entries_of(root / "steps")) {
+        const std::string name = entry.filename().string();
         const std::string number = name.substr(0, 2);
         const bool meant = wanted.empty() || wanted == name || wanted == number || "0" + wanted == number;
-        if (entry.is_directory() && meant) steps.push_back(name);
+        std::error_code ignored;
+        if (meant && fs::is_directory(entry, ignored)) steps.push_back(name);
     }
     if (steps.empty()) throw Error("there is no step '" + wanted + "'");
-    std::ranges::sort(steps);
     return steps;
 }
 
@@ -352,8 +353,7 @@ void try_all(const Toolchain& tools, std::vector<StepProof>& proofs, const Wishe
     std::vector<Trial*> trials;
     for (StepProof& proof : proofs)
         for (Trial& trial : proof.trials) trials.push_back(&trial);
-    const int cores = int(std::max(1u, std::thread::hardware_concurrency()));
-    in_parallel(trials.size(), wishes.jobs > 0 ? wishes.jobs : cores,
+    in_parallel(trials.size(), wishes.jobs > 0 ? wishes.jobs : usable_cores(),
                 [&](std::size_t i) { try_out(tools, *trials[i], !wishes.no_pictures); });
 }
 

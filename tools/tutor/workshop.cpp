@@ -1,6 +1,7 @@
 // Finds the learner's files, and remembers in two small text files what was checked and which hints were shown.
 #include "tools/tutor/workshop.h"
 
+#include "common/complain.h"
 #include "common/error.h"
 #include "common/file_bytes.h"
 #include "tools/tutor/hash.h"
@@ -70,13 +71,11 @@ fs::path steps_folder(const Project& project) {
 std::vector<std::string> all_steps(const Project& project) {
     std::vector<std::string> steps;
     std::error_code ignored;
-    for (const auto& entry : fs::directory_iterator(steps_folder(project), ignored))
-        if (fs::is_regular_file(entry.path() / "main.cpp", ignored))
-            steps.push_back(entry.path().filename().string());
+    for (const fs::path& entry : entries_of(steps_folder(project)))
+        if (fs::is_regular_file(entry / "main.cpp", ignored)) steps.push_back(entry.filename().string());
     if (steps.empty())
         throw Error("there are no steps in " + shown(steps_folder(project)) +
                     ": --root names the project's folder");
-    std::ranges::sort(steps);
     return steps;
 }
 
@@ -118,12 +117,11 @@ std::vector<std::string> files_to_write(const std::vector<Exercise>& exercises) 
 std::vector<std::string> own_files(const Project& project, const std::string& step) {
     std::vector<std::string> files;
     std::error_code ignored;
-    for (const auto& entry : fs::directory_iterator(project.workshop / step, ignored)) {
-        const std::string file = entry.path().filename().string();
-        if (file.ends_with(".h") && file[0] != '.' && fs::is_regular_file(entry.path(), ignored))
+    for (const fs::path& entry : entries_of(project.workshop / step)) {
+        const std::string file = entry.filename().string();
+        if (file.ends_with(".h") && file[0] != '.' && fs::is_regular_file(entry, ignored))
             files.push_back(file);
     }
-    std::ranges::sort(files);
     return files;
 }
 
@@ -143,8 +141,8 @@ std::string find_own_file(const Project& project, const std::string& step, const
 std::string shown(const fs::path& path) {
     std::error_code failure;
     const fs::path near = fs::proximate(path, failure);
-    return failure || near.empty() || *near.begin() == ".." ? path.lexically_normal().string()
-                                                            : near.string();
+    const bool elsewhere = failure || near.empty() || *near.begin() == "..";
+    return printable((elsewhere ? path.lexically_normal() : near).string());
 }
 
 std::string shown(const fs::path& path, int line) {

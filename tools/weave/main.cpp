@@ -7,6 +7,7 @@
 #include "common/file_bytes.h"
 #include "tools/tutor/exercises.h"
 #include "tools/tutor/process.h"
+#include "tools/tutor/temporary.h"
 
 #include <CLI/CLI.hpp>
 
@@ -29,8 +30,8 @@ struct Wishes {
 std::vector<std::string> pages_of(const Wishes& wishes) {
     if (!wishes.pages.empty()) return wishes.pages;
     std::vector<std::string> pages{"README.md"};
-    for (const auto& entry : fs::directory_iterator(fs::path(wishes.root) / "docs"))
-        if (entry.path().extension() == ".md") pages.push_back("docs/" + entry.path().filename().string());
+    for (const fs::path& entry : rt::entries_of(fs::path(wishes.root) / "docs"))
+        if (entry.extension() == ".md") pages.push_back("docs/" + entry.filename().string());
     std::ranges::sort(pages);
     return pages;
 }
@@ -40,7 +41,7 @@ struct Report {
     bool all_is_true = true;
     void complain(const std::string& line) {
         all_is_true = false;
-        std::cout << line << std::endl;
+        std::cout << rt::printable_lines(line) << std::endl;
     }
 };
 
@@ -58,14 +59,17 @@ std::string without_place(const std::string& root, const std::string& output) {
     return result;
 }
 
+/// Runs a line of bash in the project's folder, whatever signs are in its name. What it says goes to `said`.
+rt::Ended run_line(const Wishes& wishes, const std::string& line, const rt::TemporaryFile& said) {
+    const std::string command = "cd -- \"$1\" && shift && " + line;
+    return rt::run_process({"/bin/bash", "-c", command, "weave", wishes.root}, said.path, patience);
+}
+
 /// What a command says on its standard output. Throws Error if its code is not 0.
 std::string output_of(const Wishes& wishes, const std::string& command) {
-    const fs::path said =
-        fs::temp_directory_path() / ("weave." + std::to_string(std::hash<std::string>()(command)) + ".txt");
-    const std::string line = "cd '" + wishes.root + "' && { " + command + "\n} 2>/dev/null";
-    const rt::Ended ended = rt::run_process({"/bin/bash", "-c", line}, said, patience);
-    const std::string output = rt::read_file(said.string());
-    fs::remove(said);
+    const rt::TemporaryFile said;
+    const rt::Ended ended = run_line(wishes, "{ " + command + "\n} 2>/dev/null", said);
+    const std::string output = rt::read_file(said.path.string());
     if (ended.code != 0)
         throw rt::Error("`" + command + "` ends with code " + std::to_string(ended.code) + ":\n" + output);
     return without_place(wishes.root, output);
@@ -117,29 +121,30 @@ void run_outputs(const Wishes& wishes, const std::string& page, const std::strin
 /// Runs what the page shows, and then what it tells its reader to type: from an empty workshop, and leaves it empty.
 void run_commands(const Wishes& wishes, const std::string& page, Report& report) {
     const std::string text = rt::read_file((fs::path(wishes.root) / page).string());
-    const fs::path workshop = fs::path(wishes.root) / "workshop",
-                   said = fs::temp_directory_path() / "weave.command.txt";
-    if (fs::exists(workshop))
+    const fs::path workshop = fs::path(wishes.root) / "workshop";
+    const rt::TemporaryFile said;
+    std::error_code ignored;
+    if (fs::exists(workshop, ignored))
         throw rt::Error(
             "workshop/ is there: what stands in it would change what the commands say; move it away");
     run_outputs(wishes, page, text, report);
-    for (const rt::Command& command : rt::find_commands(rt::lines_of(text))) {
+    for (const rt::Command& command : rt::find_commands(rt::lines_of(text), page)) {
         std::cout << page << ":" << command.number << ": " << command.line << std::endl;
-        const rt::Ended ended = rt::run_process(
-            {"/bin/bash", "-c", "cd '" + wishes.root + "' && " + command.line}, said, patience);
+        const rt::Ended ended = run_line(wishes, command.line, said);
         if (ended.code != command.code || ended.too_long)
             report.complain(page + ":" + std::to_string(command.number) + ": ends with code " +
                             std::to_string(ended.code) + ", not " + std::to_string(command.code) + ":\n" +
-                            rt::read_file(said.string()));
+                            rt::read_file(said.path.string()));
     }
-    fs::remove_all(workshop);
+    fs::remove_all(workshop, ignored);
 }
 
 /// docs/ran.txt: of each page, the key of what was run when all of it held.
 std::map<std::string, std::string> noted_keys(const Wishes& wishes) {
     std::map<std::string, std::string> keys;
     const fs::path path = fs::path(wishes.root) / "docs" / "ran.txt";
-    if (!fs::exists(path)) return keys;
+    std::error_code ignored;
+    if (!fs::exists(path, ignored)) return keys;
     for (const std::string& line : rt::lines_of(rt::read_file(path.string())))
         if (const std::size_t blank = line.find(' '); !line.starts_with("#") && blank != std::string::npos)
             keys[line.substr(0, blank)] = line.substr(blank + 1);

@@ -5,6 +5,7 @@
 #include "common/error.h"
 #include "tools/tutor/exercises.h"
 
+#include <algorithm>
 #include <cctype>
 #include <cstddef>
 #include <vector>
@@ -57,7 +58,7 @@ std::size_t closing(const std::string& text, std::size_t open, char opens, char 
 std::string without_template(std::string head) {
     while (head.starts_with("template")) {
         const std::size_t end = closing(head, head.find('<'), '<', '>');
-        head = end >= head.size() ? "" : head.substr(head.find_first_not_of(' ', end + 1));
+        head = head.substr(std::min(head.find_first_not_of(' ', end + 1), head.size()));
     }
     return head;
 }
@@ -89,7 +90,7 @@ std::string declared(const std::string& head) {
     const std::size_t end = text.find_first_of("(={;");
     std::string name = word_before(text, end == std::string::npos ? text.size() : end);
     if (end != std::string::npos && text[end] == '(' && (name == "requires" || name == "alignas"))
-        name = declared(text.substr(closing(text, end, '(', ')') + 1));
+        name = declared(text.substr(std::min(closing(text, end, '(', ')') + 1, text.size())));
     return name;
 }
 

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <sstream>
 
 namespace rt {
@@ -82,7 +83,8 @@ std::string sentence(std::string text) {
 
 std::string row(const fs::path& root, const Mistake& mistake) {
     const std::string picture = "mistakes/" + mistake.step + "/" + mistake.id + ".png";
-    const bool seen = fs::exists(root / picture);
+    std::error_code ignored;
+    const bool seen = fs::exists(root / picture, ignored);
     return "| " +
            (seen ? "![" + cell(mistake.title) + "](../" + picture + ")"
                  : std::string("*not seen in this scene*")) +
@@ -122,6 +124,7 @@ std::vector<Block> find_blocks(const std::vector<std::string>& lines, const std:
         }
         const std::size_t colon = line.find(": ");
         if (!line.starts_with(opens) || !line.ends_with(closes) || colon == std::string::npos) continue;
+        if (colon + 2 + closes.size() > line.size()) complain(path, i, "a marker names what belongs there");
         const std::string kind = line.substr(opens.size(), colon - opens.size());
         const std::string what = line.substr(colon + 2, line.size() - closes.size() - colon - 2);
         if (open) complain(path, i, "a marker before the end of the one before");
@@ -134,7 +137,7 @@ std::vector<Block> find_blocks(const std::vector<std::string>& lines, const std:
     return blocks;
 }
 
-std::vector<Command> find_commands(const std::vector<std::string>& lines) {
+std::vector<Command> find_commands(const std::vector<std::string>& lines, const std::string& path) {
     std::vector<Command> commands;
     bool inside = false;
     for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -143,9 +146,16 @@ std::vector<Command> find_commands(const std::vector<std::string>& lines) {
             continue;
         }
         if (!inside || lines[i].empty() || lines[i][0] == '#') continue;
-        const std::size_t code = lines[i].find("# exit ");
-        commands.push_back(
-            {lines[i], code == std::string::npos ? 0 : std::stoi(lines[i].substr(code + 7)), int(i) + 1});
+        Command command{lines[i], 0, int(i) + 1};
+        const std::string mark = "# exit ";
+        if (const std::size_t at = lines[i].find(mark); at != std::string::npos) {
+            const char* const begin = lines[i].data() + at + mark.size();
+            const auto [end, failure] =
+                std::from_chars(begin, lines[i].data() + lines[i].size(), command.code);
+            if (failure != std::errc() || command.code < 0 || command.code > 255)
+                complain(path, i, "after \"# exit \" stands no exit code");
+        }
+        commands.push_back(command);
     }
     return commands;
 }
@@ -155,19 +165,16 @@ std::string page_key(const fs::path& root, const std::string& page) {
     const std::string name = fs::path(page).filename().string();
     const std::string last = name[0] == '0' ? name.substr(0, 2) : "99";
     Hash hash;
-    for (const Command& command : find_commands(lines)) hash.add(command.line);
+    for (const Command& command : find_commands(lines, page)) hash.add(command.line);
     for (const Block& block : find_blocks(lines, page)) {
         if (block.kind != "output" && block.kind != "measured") continue;
         hash.add(block.what);
         for (std::size_t i = block.begin; block.kind == "output" && i < block.end; ++i) hash.add(lines[i]);
     }
     hash.add(read_file((root / "learn").string()));
-    std::vector<fs::path> files;
-    for (const auto& entry : fs::recursive_directory_iterator(root / "steps"))
-        if (entry.is_regular_file() && entry.path().parent_path().filename().string().substr(0, 2) <= last)
-            files.push_back(entry.path());
-    std::ranges::sort(files);
-    for (const fs::path& file : files) hash.add(read_file(file.string()));
+    for (const fs::path& step : entries_of(root / "steps"))
+        if (step.filename().string().substr(0, 2) <= last)
+            for (const fs::path& file : entries_of(step)) hash.add(read_file(file.string()));
     return hash.text();
 }
 

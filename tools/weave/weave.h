@@ -27,8 +27,8 @@ struct Command {
     int number = 0; ///< of the line, from 1
 };
 
-/// The lines of all blocks of ```sh.
-std::vector<Command> find_commands(const std::vector<std::string>& lines);
+/// The lines of all blocks of ```sh. Throws Error, as "path:line: what is wrong", for "# exit" without a code from 0 to 255.
+std::vector<Command> find_commands(const std::vector<std::string>& lines, const std::string& path = "page");
 
 /// A hash of all that decides what the commands of a page do, but for what is behind them: the commands and outputs that it
 /// shows, ./learn, and the steps up to the page's own, or all of them for an appendix.

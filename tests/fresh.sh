@@ -1,0 +1,217 @@
+#!/usr/bin/env bash
+# Every command of ./learn works as the first one in a fresh clone, by whatever way it is called; two at once wait for each
+# other, and what is broken is mended or named. Nothing is compiled: cmake, ctest and apt are stand-ins, which make programs that write what they are told to, or complain.
+# fresh.sh PROJECT TUTOR: exit 0 if all do; TUTOR is the real one.
+set -u
+
+project=$1 tutor=$2
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+clone="$folder/a clone" # a blank in a path breaks what quotes badly
+stubs=$folder/stubs
+bad=0
+
+mkdir -p "$clone" "$stubs"
+tar -C "$project" --exclude=./build --exclude=./renders --exclude=./workshop --exclude=./.git -cf - . | tar -C "$clone" -xf -
+
+# What is built in place of a program. It makes every file that a flag names, and fails where its folder is missing.
+cat >"$stubs/program" <<'END'
+#!/usr/bin/env bash
+name=$(basename "$0") flag=""
+root=$(cd "$(dirname "$0")/../../.." && pwd)
+write() { # $1: the file, $2: a file to copy, or nothing
+    cat "${2:-/dev/null}" >"$1" || exit 2
+    [ -n "${2-}" ] || echo '{"a": 1}' >"$1"
+}
+for word in "$@"; do
+    case $flag in
+        --out)
+            case $word in *.png | *.hdr) word=${word%.*} ;; esac
+            for kind in png hdr; do write "$word.$kind" "$root/assets/reference/${name#trace_}.$kind"; done
+            ;;
+        --variance) write "$word" "$root/assets/reference/$name.variance.hdr" ;;
+        --json) write "$word" ;;
+    esac
+    case $word in --benchmark_out=*) write "${word#*=}" ;; esac
+    flag=$word
+done
+[ -z "${STOP-}" ] || kill -s "$STOP" $PPID
+case $name in
+    bench_report) echo report >"$1/report.md" || exit 2 ;;
+    contact_sheet) write "$1" ;;
+    test_*) printf 'case\ta\nend\ta\tok\t.1\n' ;;
+    trace_*) echo "brings back (1 1 1)" ;;
+    compare) echo "same picture" ;;
+    [0-9]*) printf '4 x 4, 1 samples a pixel, seed 1, 1 threads\ntime 1.00 s, 1 rays, 1.00 million rays a second\n' ;;
+esac
+END
+
+cat >"$stubs/cmake" <<'END'
+#!/usr/bin/env bash
+stubs=$(dirname "$0")
+make() { # $1: the build, $2: a program
+    mkdir -p "$1/bin" && rm -f "$1/bin/$2" && cp "$stubs/program" "$1/bin/$2"
+    [ "$2" != tutor ] || cp "$stubs/tutor" "$1/bin/"
+}
+if [ "$1" = --preset ]; then
+    mkdir -p "build/$2/Testing/Temporary"
+    printf 'CMAKE_HOME_DIRECTORY:INTERNAL=%s\nCMAKE_CXX_COMPILER:FILEPATH=c++\n' "$(pwd -P)" >"build/$2/CMakeCache.txt"
+    printf 'build bench_%s: phony\n' traversal obj_loading renders convergence kernels >"build/$2/build.ninja"
+    exit
+fi
+build=$2
+grep -q '^build' "$build/build.ninja" || exit 1
+[ -z "${SLOW-}" ] || { echo begin && sleep 1.5 && echo end; } >>"$SLOW"
+shift 2
+for target in "$@"; do
+    case $target in
+        programs | checks*)
+            for program in compare contact_sheet plot make_assets $(ls "$build/../../steps"); do
+                make "$build" "$program"
+            done
+            ;;
+        -*) ;;
+        *) make "$build" "$target" ;;
+    esac
+    # The build tool names what it has made.
+    echo "[1/1] Linking CXX executable bin/$target"
+done
+END
+
+printf '#!/bin/sh\necho "Total Tests: 1"\n' >"$stubs/ctest"
+# shellcheck disable=SC2016 # for the stand-in
+printf '#!/bin/sh\nshift 2\nprintf "%%s=installed " "$@"\n' >"$stubs/dpkg-query"
+printf '#!/bin/sh\necho "nothing is missing: no need for apt"\nexit 1\n' >"$stubs/apt-get"
+cp "$stubs/apt-get" "$stubs/ninja"
+chmod +x "$stubs"/*
+cp "$tutor" "$stubs/tutor"
+
+here=$clone learn=./learn # where it is called, and how
+first() { # $1: what the command says somewhere; the rest: its words
+    local part=$1 said code
+    shift
+    rm -rf "$clone"/{build,renders,workshop}
+    said=$(cd "$here" && PATH=$stubs:$PATH "$learn" "$@" 2>&1 </dev/null)
+    code=$?
+    if [ $code != 0 ] || [[ $said != *"$part"* ]]; then
+        printf '%s\n' "WRONG: $learn $*: expected exit 0 and '$part', got exit $code and: $said"
+        bad=1
+    fi
+}
+
+first "What this script does"
+first "" setup
+first "contact sheet: renders/contact_sheet.png" run
+first "renders/03_mirror.png" run 03
+first "agrees" run 08 --threads 2
+first "renders/05_mesh_bvh.png" run 05 --samples 4
+first "" test
+first "" test 03
+first "" test bench
+first "report: build/bench/report/report.md" bench
+for name in traversal scaling renders convergence obj kernels; do
+    first "report.md" bench $name --json "$folder/numbers.json"
+done
+first "report: $folder/report/report.md" bench traversal --quick --out "$folder/report"
+first "" prove --step 03 --no-pictures
+first "" weave --check
+first "" figures 01
+first "look at every one of them" references 03
+first "brings back" trace 03 120 80
+first "same picture" compare a.png b.png
+first "workshop/03_mirror/mirror.h" start 03
+first "Step 03: what does the mirror see?" check 03 --no-picture
+first "picture   " check 08
+first "waiting for the next save" watch 03 --no-picture
+first "next: ./learn start 01" status
+first "Hint 1 of 3" hint 03 mirror_ray
+first "reference counts again" undo --help
+
+# By a link to the project, by a link to the script, and with what makes cd print.
+ln -s "$clone" "$folder/linked"
+here=$folder/linked
+first "report.md" bench traversal --json "$folder/numbers.json"
+touch "$clone/build/bench/MARK"
+(cd "$clone" && PATH=$stubs:$PATH ./learn bench traversal >/dev/null 2>&1)
+[ -e "$clone/build/bench/MARK" ] || { echo "WRONG: another way to the project loses its build" && bad=1; }
+here=$folder
+ln -s "a clone/learn" "$folder/learn"
+first "renders/03_mirror.png" run 03
+ln -s ../learn "$folder/stubs/to_learn"
+learn=stubs/to_learn
+first "renders/03_mirror.png" run 03
+learn="a clone/learn"
+export CDPATH=$folder:.
+first "renders/03_mirror.png" run 03
+unset CDPATH
+
+here=$clone learn=./learn
+
+# Two at once: one builds, the other says that it waits. The lock of one that was killed holds nobody up.
+rm -rf "$clone/build"
+export SLOW=$folder/order
+(cd "$clone" && PATH=$stubs:$PATH ./learn run 03 >"$folder/said.1" 2>&1) &
+(cd "$clone" && PATH=$stubs:$PATH ./learn check 03 --no-picture >"$folder/said.2" 2>&1)
+wait
+awk 'NR % 2 ? $0 != "begin" : $0 != "end" { exit 1 }' "$SLOW" ||
+    { echo "WRONG: two build at once:" && cat "$SLOW" && bad=1; }
+grep -qs "another ./learn is building in this folder; waiting for it" "$folder"/said.[12] ||
+    { echo "WRONG: who waits does not say so" && bad=1; }
+[ "$(grep -l -e 'renders/03_mirror.png' -e 'hold' "$folder"/said.[12] | wc -l)" = 2 ] ||
+    { echo "WRONG: of two at once one fails" && cat "$folder"/said.[12] && bad=1; }
+(cd "$clone" && PATH=$stubs:$PATH exec ./learn run 03 >/dev/null 2>&1) &
+sleep 0.5
+kill -KILL $!
+wait 2>/dev/null
+unset SLOW
+(cd "$clone" && PATH=$stubs:$PATH timeout 20 ./learn run 03 >/dev/null 2>&1) || { echo "WRONG: a killed one blocks" && bad=1; }
+
+# What ends it is its exit code.
+rm -rf "$clone/build"
+for signal in INT:130 TERM:143 HUP:129; do
+    (cd "$clone" && export STOP=${signal%:*} && PATH=$stubs:$PATH ./learn run 03 >/dev/null 2>&1)
+    code=$?
+    [ $code = "${signal#*:}" ] || { echo "WRONG: ${signal%:*} ends with code $code" && bad=1; }
+done
+[ -z "$(find "$clone/build" -name 'learn.??????')" ] || { echo "WRONG: a scratch folder is left" && bad=1; }
+
+# Broken files of the build are made anew; where nothing can be built one line says so.
+for file in build.ninja CMakeCache.txt; do
+    echo garbage >"$clone/build/release/$file"
+    (cd "$clone" && PATH=$stubs:$PATH ./learn run 03 >/dev/null 2>&1) || { echo "WRONG: a broken $file stays" && bad=1; }
+done
+refuses() { # $1: what the line says; the rest: the words
+    local part=$1 said code
+    shift
+    said=$(cd "$here" && PATH=$stubs:$PATH ./learn "$@" 2>&1)
+    code=$?
+    if [ $code != 2 ] || [ "$(printf '%s\n' "$said" | wc -l)" != 1 ] || [[ $said != *"$part"* ]]; then
+        printf '%s\n' "WRONG: in $here, ./learn $*: expected exit 2 and one line with '$part', got exit $code and: $said"
+        bad=1
+    fi
+}
+rm -rf "$clone/build"
+refuses "there is no step '99'" hint 99
+[ ! -e "$clone/build" ] || { echo "WRONG: a wrong word builds something" && bad=1; }
+touch "$clone/build"
+refuses "is a file of that name there" run 03
+refuses "is a file of that name there" status
+rm "$clone/build"
+for name in 'C#' 'a;b' 'a"b' $'a\nb'; do
+    mv "$clone" "$folder/$name"
+    here=$folder/$name
+    refuses "CMake builds in no folder with" run 03
+    mv "$folder/$name" "$clone"
+done
+for name in "it's" "a & (b)" 'US$ 5'; do # which are nothing special
+    mv "$clone" "$folder/$name"
+    here=$folder/$name clone=$folder/$name
+    first "renders/03_mirror.png" run 03
+    first "Hint 1 of 3" hint 03 mirror_ray
+done
+here=$clone
+
+# One learner with one step, since each file is saved and checked.
+rm -r "$clone"/steps/0[2-8]*
+first "checks, s" bench loop --json "$folder/loop.json"
+exit $bad
