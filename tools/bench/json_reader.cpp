@@ -5,6 +5,7 @@
 #include "common/error.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
