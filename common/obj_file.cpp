@@ -70,13 +70,14 @@ void keep_used_materials(const std::string& path, const Materials& materials, Ob
         if (material < 0) material = int(count);
         number[std::size_t(material)] = 0;
     }
+    ObjMaterial plain; // where the file names none: grey, or the colors of the vertices alone
+    if (!file.colors.empty()) plain.diffuse = vec3(1);
     TextureLoader textures(path);
     for (std::size_t i = 0; i <= count; ++i) {
         if (number[i] < 0) continue;
         number[i] = int(file.material_list.size());
         file.material_list.push_back(
-            i < count ? converted(materials.list[i], materials.libraries.file_of(i), textures)
-                      : ObjMaterial{});
+            i < count ? converted(materials.list[i], materials.libraries.file_of(i), textures) : plain);
     }
     for (int& material : file.materials) material = number[std::size_t(material)];
     file.textures = std::move(textures.bitmaps);

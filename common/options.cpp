@@ -174,24 +174,24 @@ Integer read_whole(const std::string& flag, const std::string& text, Integer low
 }
 
 /// A decimal number with nothing before or after it; `right` is what a message says would be right.
-/// Infinite when it is too large for a float, so that no range lets it pass.
-float read_decimal(const std::string& flag, const std::string& text, const std::string& right) {
+/// Infinite when it is too large, so that no range lets it pass.
+double read_decimal(const std::string& flag, const std::string& text, const std::string& right) {
     char* end = nullptr;
     const bool plain = !text.empty() && text.find_first_not_of("+-.0123456789eE") == std::string::npos;
-    const float value =
-        plain ? std::strtof(text.c_str(), &end) : 0; // also reads "nan", "0x1p3" and leading blanks
+    const double value =
+        plain ? std::strtod(text.c_str(), &end) : 0; // also reads "nan", "0x1p3" and leading blanks
     if (!plain || end == text.c_str() || *end != '\0') refuse(flag, text, "is not a number", right);
     return value;
 }
 
-vec3 read_vector(const std::string& flag, const std::string& text) {
+dvec3 read_vector(const std::string& flag, const std::string& text) {
     const std::string right = "three numbers x,y,z, as in 0,1.5,-2";
     const std::vector<std::string> parts = split_at_commas(text);
     if (parts.size() != 3) refuse(flag, text, "is not a point or direction", right);
-    vec3 value(0);
+    dvec3 value(0);
     for (int i = 0; i < 3; ++i) {
         value[i] = read_decimal(flag, parts[std::size_t(i)], right);
-        if (!std::isfinite(value[i])) refuse(flag, text, "is not finite", right);
+        if (!std::isfinite(float(value[i]))) refuse(flag, text, "is not finite", right);
     }
     return value;
 }
@@ -303,7 +303,7 @@ struct Options::Parser {
     Group output{"Output", {}};
     std::deque<float> floats;
     std::deque<int> integers;
-    std::deque<vec3> vectors;
+    std::deque<dvec3> vectors;
     std::deque<bool> flags;
     std::deque<std::string> texts;
 
@@ -453,7 +453,7 @@ const float& Options::knob(const std::string& name, float initial, float low, fl
     float& value = parser->floats.emplace_back(initial);
     const std::string range = range_text(low, high);
     const auto read = [&value, low, high, range, flag = "--" + name](const std::string& text) {
-        const float typed = read_decimal(flag, text, range);
+        const float typed = float(read_decimal(flag, text, range));
         if (!(low <= typed && typed <= high)) refuse(flag, text, "is out of range", range);
         value = typed;
     };
@@ -469,8 +469,8 @@ const int& Options::knob(const std::string& name, int initial, int low, int high
     return value;
 }
 
-const vec3& Options::knob(const std::string& name, vec3 initial, const std::string& help) {
-    vec3& value = parser->vectors.emplace_back(initial);
+const dvec3& Options::knob(const std::string& name, vec3 initial, const std::string& help) {
+    dvec3& value = parser->vectors.emplace_back(initial);
     const auto read = [&value, flag = "--" + name](const std::string& text) {
         value = read_vector(flag, text);
     };

@@ -53,8 +53,8 @@ class Options {
 
     const float& knob(const std::string& name, float initial, float low, float high, const std::string& help);
     const int& knob(const std::string& name, int initial, int low, int high, const std::string& help);
-    /// Three finite numbers, typed as x,y,z.
-    const vec3& knob(const std::string& name, vec3 initial, const std::string& help);
+    /// Three finite numbers, typed as x,y,z. In double: a model's coordinates may be far from 0.
+    const dvec3& knob(const std::string& name, vec3 initial, const std::string& help);
     /// Absent is false.
     const bool& flag(const std::string& name, const std::string& help);
     /// A file that is read, "" if not given; parse() refuses one that does not exist.

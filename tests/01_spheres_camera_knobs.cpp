@@ -46,6 +46,14 @@ TEST_CASE("a pose that a scene proposes gives way to what is typed") {
     CHECK_MESSAGE(pose.fov == 30, "it was typed, though it is the default");
 }
 
+TEST_CASE("what is typed counts from the user's origin, to the last digit") {
+    const Pose initial{{1, 2, 3}, {0, 1, 0}, {0, 1, 0}, 30};
+    const Pose scene{.from = {1, 2, 3}, .at = {0, 0, 0}, .origin = {500000, 120, 4649776}};
+    const Pose pose = typed({"--from", "500003.25,121.5,4649774.125"}, initial, &scene);
+    CHECK_MESSAGE(pose.from == vec3(3.25f, 1.5f, -1.875f), "the difference is taken in double");
+    CHECK_MESSAGE(pose.at == vec3(0), "what is not typed is the scene's own");
+}
+
 TEST_CASE("a camera that cannot stand like that is refused") {
     const Pose initial{{1, 2, 3}, {0, 1, 0}, {0, 1, 0}, 30};
     CHECK_THROWS_AS(typed({"--from", "0,1,0"}, initial), Error); // from = at

@@ -59,7 +59,7 @@ TEST_CASE("a ray along a quad misses it") {
 
 TEST_CASE("u and v of a quad run along its edges from the corner") {
     for (const vec2 uv : {vec2(0.25f, 0.75f), vec2(0.9f, 0.1f), vec2(0, 1), vec2(1, 0), vec2(-0.5f, 2)})
-        CHECK_MESSAGE(quad_uv(quad, on_quad(uv.x, uv.y)) == approx(uv),
+        CHECK_MESSAGE(quad_uv(quad, dvec3(on_quad(uv.x, uv.y))) == approx(uv),
                       "u along edge_u and v along edge_v, also if they are not at right angles");
     const Ray ray = to_quad(0.25f, 0.75f);
     const Hit hit = surface(quad, Ray{ray.origin, ray.direction, 0, 1.5f});

@@ -1,6 +1,5 @@
 // What a mesh makes of a hit: weights of corners, normals, uv; its box; how a model gets its place. Meshes of
 // many triangles are in 05_mesh_bvh_mesh_in_scenes.cpp.
-#include "05_mesh_bvh/block.h"
 #include "05_mesh_bvh/mesh.h"
 #include "common/random.h"
 #include "tests/check.h"
@@ -12,8 +11,8 @@ namespace {
 
 const vec3 a = {1, -2, 3}, b = {3, 1, 4}, c = {-1, 2, 6}; // a skew triangle
 
-/// A mesh of at most four triangles, which one block of the wide tree holds: so these checks need no
-/// tree and nothing of triangle.h.
+/// A mesh of few triangles, found here by Gauss's elimination: so these checks need no tree and nothing of
+/// triangle.h.
 struct Scene {
     Mesh mesh;
 };
@@ -25,15 +24,14 @@ Scene scene_of(const ObjFile& file) {
 }
 
 std::optional<Hit> intersect(const Scene& scene, Ray ray) {
-    TriangleBlock block{};
-    for (std::uint32_t i = 0; i < scene.mesh.triangles.size(); ++i)
-        put(block, int(i), corners(scene.mesh, i), i);
-    const BlockHits hits = intersect(block, TriangleBlock::prepare(ray), row(ray.t_min), row(ray.t_max));
     std::optional<MeshHit> nearest;
-    for (std::uint32_t i = 0; i < lanes; ++i) {
-        if (!(hits.hit >> i & 1) || hits.t[i] > ray.t_max) continue;
-        ray.t_max = hits.t[i];
-        nearest = MeshHit{&scene.mesh, i, hits.u[i], hits.v[i]};
+    for (std::uint32_t i = 0; i < scene.mesh.triangles.size(); ++i) {
+        const auto [p, q, r] = corners(scene.mesh, i);
+        const glm::dmat3 columns(dvec3(q - p), dvec3(r - p), -dvec3(ray.direction));
+        const dvec3 uvt = inverse(columns) * dvec3(ray.origin - p); // p + u (q - p) + v (r - p) = O + t D
+        if (!(std::min({uvt.x, uvt.y, 1 - uvt.x - uvt.y}) >= -1e-9) || !contains(ray, float(uvt.z))) continue;
+        ray.t_max = float(uvt.z);
+        nearest = MeshHit{&scene.mesh, i, float(uvt.x), float(uvt.y)};
     }
     return nearest ? std::optional(surface(*nearest, ray)) : std::nullopt;
 }

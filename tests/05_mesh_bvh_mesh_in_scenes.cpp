@@ -35,9 +35,9 @@ TEST_CASE("an icosphere of level 4 has nearly the area and the volume of the bal
     double area = 0, volume = 0;
     for (std::uint32_t i = 0; i < scene.mesh.triangles.size(); ++i) {
         const auto corner = corners(scene.mesh, i);
-        area += double(length(area_normal(corner))) / 2;
+        area += length(area_normal(corner)) / 2;
         volume += double(dot(corner[0], cross(corner[1], corner[2]))) / 6;
-        if (!(dot(area_normal(corner), corner[0]) > 0)) FAIL_CHECK("triangle ", i, " faces inward");
+        if (!(dot(area_normal(corner), dvec3(corner[0])) > 0)) FAIL_CHECK("triangle ", i, " faces inward");
     }
     CHECK(scene.mesh.triangles.size() == 5120);
     CHECK_MESSAGE(scene.mesh.positions.size() == 2562, "corners are shared: V - E + F = 2");

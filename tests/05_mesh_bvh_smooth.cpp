@@ -14,22 +14,22 @@ vec3 position_of(const ObjFile& file, const ObjCorner& corner) {
     return file.positions[std::size_t(corner.position)];
 }
 
-vec3 area_of(const ObjFile& file, const std::array<ObjCorner, 3>& t) {
+dvec3 area_of(const ObjFile& file, const std::array<ObjCorner, 3>& t) {
     return area_normal({position_of(file, t[0]), position_of(file, t[1]), position_of(file, t[2])});
 }
 
 /// The definition of smooth_normals(), word by word.
 vec3 asked_normal(const ObjFile& file, std::size_t triangle, std::size_t corner, float crease) {
     const vec3 here = position_of(file, file.triangles[triangle][corner]);
-    const vec3 own = area_of(file, file.triangles[triangle]);
-    vec3 sum(0);
+    const dvec3 own = area_of(file, file.triangles[triangle]);
+    dvec3 sum(0);
     for (const auto& t : file.triangles) {
-        const vec3 other = area_of(file, t);
-        const bool near = dot(own, other) >= std::cos(glm::radians(crease)) * length(own) * length(other);
+        const dvec3 other = area_of(file, t);
+        const bool near = dot(own, other) >= double(std::cos(glm::radians(crease))) * length(own) * length(other);
         for (const ObjCorner& c : t)
             if (near && position_of(file, c) == here) sum += other;
     }
-    return normalize(length(sum) > 0 ? sum : own);
+    return vec3(normalize(length(sum) > 0 ? sum : own));
 }
 
 } // namespace

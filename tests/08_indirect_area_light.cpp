@@ -26,7 +26,7 @@ TEST_CASE("the points of a light are spread evenly over it") {
         return chi_square(found, even);
     };
     CHECK(cells(quad, [&](vec3 p) {
-              const vec2 uv = quad_uv(quad, p);
+              const vec2 uv = quad_uv(quad, dvec3(p));
               return int(uv.x * 8) * 8 + int(uv.y * 8);
           }) < 120.6);
     INFO("triangle: u.x for sqrt(u.x) crowds the points at a corner");
@@ -58,7 +58,7 @@ TEST_CASE("the points of a light lie on it, and face along its normal") {
     for (int i = 0; i < 3000; ++i) {
         const vec2 u = random.uniform2();
         const LightPoint a = light_point(quad, u), b = light_point(triangle, u), c = light_point(sphere, u);
-        const vec2 uv = quad_uv(quad, a.position);
+        const vec2 uv = quad_uv(quad, dvec3(a.position));
         REQUIRE(min(uv, 1.0f - uv) == approx(max(min(uv, 1.0f - uv), vec2(0))));
         REQUIRE(dot(a.position - quad.corner, quad_normal) == approx(0));
         REQUIRE(std::abs(dot(a.normal, normalize(quad_normal))) == approx(1));

@@ -25,7 +25,7 @@ using namespace rt::bench;
 
 TEST_CASE("a field of knots has as many triangles as its name says, within a tenth") {
     for (const char* name : {"1k", "10k", "30k", "100k"}) {
-        CAPTURE(name);
+        CAPTURE(std::string(name));
         const double want = triangle_count(name), got = double(make_subject(name).mesh.triangles.size());
         CHECK(std::abs(got - want) <= 0.1 * want);
     }
@@ -43,13 +43,13 @@ TEST_CASE("all triangles face outward: their corners run round the normals of th
     const Mesh mesh = make_subject("10k").mesh;
     std::size_t turned = 0;
     for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i)
-        turned += dot(area_normal(corners(mesh, i)), mesh.normals[mesh.triangles[i][0]]) <= 0;
+        turned += dot(area_normal(corners(mesh, i)), dvec3(mesh.normals[mesh.triangles[i][0]])) <= 0;
     CHECK_MESSAGE(turned == 0, turned << " triangles are turned");
 }
 
 TEST_CASE("a room is closed: whatever starts in it meets something, as asking every triangle shows") {
     for (const char* name : {"cat", "1k"}) {
-        CAPTURE(name);
+        CAPTURE(std::string(name));
         const Subject subject = make_subject(name);
         const RaySets sets = make_rays(subject, build_ours(subject.mesh, 1), 48);
         CHECK(sets.primary.size() == 48 * 48);
@@ -215,7 +215,7 @@ TEST_CASE("bytes that are not UTF-8 come back from JSON as U+FFFD, each of them"
 TEST_CASE("what is not JSON is refused, with the place") {
     for (const char* wrong : {"", "{", "[1,", "{\"a\" 1}", "[1] 2", "nul", "\"open", "{\"a\":}", "{a: 1}",
                               "\"\\u00\"", "\"\\u00g0\"", "\"\\u00e9\"", "\"\\"}) {
-        CAPTURE(wrong);
+        CAPTURE(std::string(wrong));
         CHECK_THROWS_AS(parse_json(wrong), Error);
     }
     CHECK_THROWS_AS(parse_json(std::string(1000, '[')), Error);

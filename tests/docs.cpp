@@ -120,13 +120,14 @@ TEST_CASE(
     "Sources and pages that are cut short or damaged are complaints, or nothing: never another exception") {
     for (const char* text : {"alignas(", "requires(", "struct alignas(", "template<int>", "template",
                              "template <int>   ", "(", "};", "'"})
-        CHECK_MESSAGE(complaint([&] { region(text, "x", "steps/x.h"); }) == "steps/x.h: declares no x", text);
+        CHECK_MESSAGE(complaint([&] { region(text, "x", "steps/x.h"); }) == "steps/x.h: declares no x",
+                      std::string(text));
     for (const char* command :
          {"x # exit y", "x # exit ", "x # exit 99999999999", "x # exit -1", "x # exit 256"})
         CHECK_MESSAGE(complaint([&] {
                           find_commands({"```sh", command}, "docs/x.md");
                       }) == "docs/x.md:2: after \"# exit \" stands no exit code",
-                      command);
+                      std::string(command));
     CHECK(complaint_in({"<!-- a: -->"}) == "docs/x.md:1: a marker names what belongs there");
     const TemporaryFolder folder;
     std::filesystem::create_directories(folder.path / "docs");

@@ -85,7 +85,7 @@ TriangleKey Triangles::key(const ObjCorner& a, const ObjCorner& b, const ObjCorn
         const vec3 p = file.positions[std::size_t(corner.position)];
         key[i++] = {p.x, p.y, p.z};
     }
-    std::rotate(key.begin(), std::ranges::min_element(key), key.end());
+    std::rotate(key.begin(), std::min_element(key.begin(), key.end()), key.end());
     return key;
 }
 
@@ -98,9 +98,9 @@ void Triangles::find_backs() {
         while (next != against.end() && next->end <= i) ++next;
         if (next != against.end() && next->begin <= i) continue;
         const auto& [a, b, c] = file.triangles[i];
-        const TriangleKey wanted = key(a, b, c);
-        auto back = std::ranges::lower_bound(keys, wanted, {}, &decltype(keys)::value_type::first);
-        for (; back != keys.end() && back->first == wanted; ++back) against[back->second].is_back = true;
+        const TriangleKey front = key(a, b, c);
+        auto back = std::ranges::lower_bound(keys, front, {}, &decltype(keys)::value_type::first);
+        for (; back != keys.end() && back->first == front; ++back) against[back->second].is_back = true;
     }
 }
 

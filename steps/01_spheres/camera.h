@@ -15,6 +15,8 @@ struct Pose {
     vec3 at{0, 0, -1};
     vec3 up{0, 1, 0};
     float fov = 40; ///< degrees, from the lower to the upper edge of the picture
+    dvec3 origin{
+        0}; ///< of `from` and `at` in the coordinates that the user types (step 05: of a model's file)
 };
 
 struct Camera {
@@ -65,15 +67,16 @@ class CameraKnobs {
           fov(all.knob("fov", initial.fov, 1.0f, 170.0f, "vertical field of view, degrees")) {}
 
     /// What the user asked for. Throws Error if no camera can stand like that.
-    Pose pose() const { return checked({from, at, up, fov}); }
+    Pose pose() const { return checked({vec3(from), vec3(at), vec3(up), fov}); }
 
-    /// `other`, but for the knobs that the user has turned.
+    /// `other`, overridden by the options given on the command line.
     Pose pose(const Pose& other) const {
-        const auto pick = [&](const char* name, auto typed, auto instead) {
-            return options.given(name) ? typed : instead;
-        };
-        return checked({pick("from", from, other.from), pick("at", at, other.at), pick("up", up, other.up),
-                        pick("fov", fov, other.fov)});
+        Pose pose = other;
+        if (options.given("from")) pose.from = vec3(from - other.origin);
+        if (options.given("at")) pose.at = vec3(at - other.origin);
+        if (options.given("up")) pose.up = vec3(up);
+        if (options.given("fov")) pose.fov = fov;
+        return checked(pose);
     }
 
   private:
@@ -86,9 +89,9 @@ class CameraKnobs {
     }
 
     const Options& options;
-    const vec3& from;
-    const vec3& at;
-    const vec3& up;
+    const dvec3& from;
+    const dvec3& at;
+    const dvec3& up;
     const float& fov;
 };
 

@@ -8,12 +8,14 @@
 
 namespace rt {
 
-/// Rays that leave a surface start this share of the largest coordinate away from it: a float carries 24
-/// bits, and a few of the last are lost between a ray's origin and its hit. No other number
-/// moves a ray.
-inline constexpr float epsilon = 0x1p-17f;
+/// Relative offset of secondary rays: this fraction of the largest coordinate M of the ray's origin and of the
+/// hit. No other number moves a ray. Shapes are tested in double, so what is left are three roundings to
+/// float, each of a relative 2^-24: of t, along a way of at most 2 M per axis; of the hit's position; and of
+/// the moved origin of the next ray. A unit normal has |x| + |y| + |z| <= sqrt(3), so a point is off its
+/// surface by at most (2 + 1 + 1) sqrt(3) 2^-24 M < 2^-21 M.
+inline constexpr float epsilon = 0x1p-21f;
 
-/// How far a point may be off that was found along a ray from `origin`.
+/// The bound on how far off its surface a point may be that was found along a ray from `origin`.
 inline float position_error(vec3 origin, vec3 position) {
     const vec3 reach = max(absolute(position), absolute(origin));
     return epsilon * glm::max(reach.x, glm::max(reach.y, reach.z));
@@ -28,6 +30,7 @@ struct Hit {
     int material;          ///< index into the scene's materials
     bool inside;           ///< the ray came from within the shape
     float error;           ///< how far `position` may be off the true surface
+    vec3 tint{1};          ///< multiplies the albedo: the colour of a mesh's vertices (step 05), or white
 };
 
 /// The hit at the end of `ray`, that is at t_max. `outward` is the shape's own unit normal, `smooth` the one

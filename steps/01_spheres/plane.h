@@ -12,10 +12,11 @@ struct Plane {
 };
 
 /// The t with (O + tD - P).N = 0. A ray along the plane has none: the division gives infinity or NaN, which
-/// no interval contains.
+/// no interval contains. In double, as the sphere: the point of a plane may be far away.
 inline std::optional<float> intersect(const Plane& plane, const Ray& ray) {
     //> solve for t, and answer it if the ray contains it
-    const float t = dot(plane.point - ray.origin, plane.normal) / dot(ray.direction, plane.normal);
+    const dvec3 normal(plane.normal), to_plane = dvec3(plane.point) - dvec3(ray.origin);
+    const float t = float(dot(to_plane, normal) / dot(dvec3(ray.direction), normal));
     if (contains(ray, t)) return t;
     return std::nullopt;
     //< return std::nullopt;

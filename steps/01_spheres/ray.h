@@ -14,8 +14,9 @@ struct Ray {
     float t_max = infinity;
 };
 
+/// The point at t: computed in double and rounded once.
 inline vec3 at(const Ray& ray, float t) {
-    return ray.origin + t * ray.direction;
+    return vec3(dvec3(ray.origin) + double(t) * dvec3(ray.direction));
 }
 
 /// True if `t` lies in the ray's interval. A t that is not a number lies in none.

@@ -48,7 +48,7 @@ vec3 direct_light(const S& scene, const Hit& hit) {
 /// in the sky's way, which makes it a stand-in for indirect light until step 08.
 template <CastsShadows S>
 vec3 lit(const S& scene, const Hit& hit, const Diffuse& diffuse) {
-    return reflected(diffuse, direct_light(scene, hit) + irradiance(scene.sky, hit.normal));
+    return reflected(diffuse, hit.tint * (direct_light(scene, hit) + irradiance(scene.sky, hit.normal)));
 }
 
 } // namespace rt

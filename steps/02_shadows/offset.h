@@ -19,10 +19,11 @@ inline Ray ray_from(const Hit& hit, vec3 direction) {
     return {offset_position(hit, direction), direction};
 }
 
-/// The segment from the hit to `target`: t runs from 0 to 1, so nothing beyond the target counts.
+/// The segment from the hit to `target`: t runs from 0 to 1, so nothing beyond the target counts. It starts on
+/// the side that the ray came from, which is the one that is lit: a target behind the surface is hidden by it.
 inline Ray segment_to(const Hit& hit, vec3 target) {
     //> start beside the surface, and let the direction be the whole way
-    const vec3 start = offset_position(hit, target - hit.position);
+    const vec3 start = offset_position(hit, hit.geometric_normal);
     return {start, target - start, 0, 1};
     //< return {hit.position, target - hit.position};
 }

@@ -15,25 +15,30 @@ struct Quad {
 
 /// u and v of a point in the quad's plane. With n = U x V and p = P - corner = u U + v V:
 ///     u = (p x V).n / n.n,   v = (U x p).n / n.n.
-inline vec2 quad_uv(const Quad& quad, vec3 point) {
-    const vec3 normal = cross(quad.edge_u, quad.edge_v);
-    const vec3 p = point - quad.corner;
-    return vec2(dot(cross(p, quad.edge_v), normal), dot(cross(quad.edge_u, p), normal)) / dot(normal, normal);
+inline vec2 quad_uv(const Quad& quad, dvec3 point) {
+    const dvec3 u(quad.edge_u), v(quad.edge_v), p = point - dvec3(quad.corner);
+    const dvec3 normal = cross(u, v);
+    return vec2(glm::dvec2(dot(cross(p, v), normal), dot(cross(u, p), normal)) / dot(normal, normal));
 }
 
-/// The t at which the ray meets the plane of the quad, if it does so within the four edges.
+/// The t at which the ray meets the plane of the quad. In double, as the other shapes.
+inline double plane_t(const Quad& quad, const Ray& ray) {
+    const dvec3 normal = cross(dvec3(quad.edge_u), dvec3(quad.edge_v));
+    return dot(dvec3(quad.corner) - dvec3(ray.origin), normal) / dot(dvec3(ray.direction), normal);
+}
+
+/// The same, if it does so within the four edges.
 inline std::optional<float> intersect(const Quad& quad, const Ray& ray) {
-    const vec3 normal = cross(quad.edge_u, quad.edge_v);
-    const float t = dot(quad.corner - ray.origin, normal) / dot(ray.direction, normal);
-    if (!contains(ray, t)) return std::nullopt;
-    const vec2 uv = quad_uv(quad, at(ray, t));
+    const double t = plane_t(quad, ray);
+    if (!contains(ray, float(t))) return std::nullopt;
+    const vec2 uv = quad_uv(quad, dvec3(ray.origin) + t * dvec3(ray.direction));
     if (uv.x < 0 || uv.x > 1 || uv.y < 0 || uv.y > 1) return std::nullopt;
-    return t;
+    return float(t);
 }
 
 inline Hit surface(const Quad& quad, const Ray& ray) {
     const vec3 outward = normalize(cross(quad.edge_u, quad.edge_v));
-    return make_hit(ray, outward, quad_uv(quad, at(ray, ray.t_max)), quad.material);
+    return make_hit(ray, outward, quad_uv(quad, dvec3(at(ray, ray.t_max))), quad.material);
 }
 
 } // namespace rt

@@ -2,34 +2,47 @@
 #pragma once
 
 #include "01_spheres/sphere.h"
+#include "05_mesh_bvh/triangle.h"
 #include "common/row.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 
 namespace rt {
 
-inline constexpr std::uint32_t no_shape = 0xffffffff;
-
-/// Which shapes of a block the ray meets, a bit a lane, and where; t, u and v hold there alone.
-struct BlockHits {
-    unsigned hit;
-    Row t, u, v;
+/// What a block says of a ray, one bit per lane: the shapes whose outline it passes through and that it may meet
+/// within its interval, and those of them that it does meet there for certain.
+struct Candidates {
+    unsigned maybe, certain;
 };
 
-/// A ray as triangles want it. It is fastest along the axis z; x and y are the other two.
+/// A ray as triangles need it. It is fastest along the axis z; x and y are the other two.
 struct TriangleRay {
     int x, y, z;
     Row origin_x, origin_y, origin_z;
-    Row shear_x, shear_y, scale; ///< take the direction to the unit vector along z
+    Row shear_x, shear_y; ///< take the direction to the axis z
+    float direction_z;
 };
 
-/// A row of triangles. An empty lane has three equal corners, which no ray meets.
-struct alignas(2 * sizeof(Row)) TriangleBlock {
-    Row corners[3][3]{};                    ///< corner, axis
-    std::array<std::uint32_t, lanes> shape; ///< the triangles' numbers
+struct Interval {
+    float begin, end;
+};
 
+/// Each t of the interval times `scale`, which may be negative.
+inline Interval scaled(Interval t, float scale) {
+    return {std::min(t.begin * scale, t.end * scale), std::max(t.begin * scale, t.end * scale)};
+}
+
+/// A row of triangles. An empty lane has corners that are not numbers, which no ray meets.
+struct alignas(2 * sizeof(Row)) TriangleBlock {
+    Row corners[3][3];                      ///< corner, axis
+    std::array<std::uint32_t, lanes> shape; ///< the triangles' indices
+
+    TriangleBlock() {
+        for (auto& corner : corners) std::ranges::fill(corner, row(std::nanf("")));
+    }
     static TriangleRay prepare(const Ray& ray);
 };
 
@@ -39,16 +52,15 @@ struct alignas(2 * sizeof(Row)) TriangleBlock {
     const bool y_leads = d.y > d.x;
     const int z = d.z >= (y_leads ? d.y : d.x) ? 2 : int(y_leads);
     const int x = z == 2 ? 0 : z + 1, y = z == 0 ? 2 : z - 1;
-    const float scale = inverse[z];
     return {x,
             y,
             z,
             row(ray.origin[x]),
             row(ray.origin[y]),
             row(ray.origin[z]),
-            row(ray.direction[x] * scale),
-            row(ray.direction[y] * scale),
-            row(scale)};
+            row(ray.direction[x] * inverse[z]),
+            row(ray.direction[y] * inverse[z]),
+            ray.direction[z]};
 }
 
 inline void put(TriangleBlock& block, int lane, const std::array<vec3, 3>& corners, std::uint32_t shape) {
@@ -57,12 +69,24 @@ inline void put(TriangleBlock& block, int lane, const std::array<vec3, 3>& corne
     block.shape[std::size_t(lane)] = shape;
 }
 
-/// Woop, Benthin and Wald 2013, "Watertight Ray/Triangle Intersection". Shear space so that the ray runs
-/// along z from the origin: then it meets a triangle whose three edges all turn the same way around (0, 0).
-/// The edge functions of two triangles that share an edge are each other's exact negatives, since a product
-/// is rounded the same way on both sides: no ray slips through between them, in float and without an epsilon.
-[[gnu::always_inline]] inline BlockHits intersect(const TriangleBlock& block, const TriangleRay& ray,
-                                                  Row t_min, Row t_max) {
+/// The triangle in a lane of a block.
+inline std::array<vec3, 3> corners_at(const TriangleBlock& block, std::size_t lane) {
+    const auto corner = [&](const Row(&axes)[3]) {
+        return vec3(axes[0][lane], axes[1][lane], axes[2][lane]);
+    };
+    return {corner(block.corners[0]), corner(block.corners[1]), corner(block.corners[2])};
+}
+
+/// Woop, Benthin and Wald 2013, "Watertight Ray/Triangle Intersection". Shear space so that the ray runs along
+/// z from the origin: then it meets a triangle whose three edges all turn the same way around (0, 0). The edge
+/// functions of two triangles that share an edge are each other's exact negatives, since a product is rounded
+/// the same way on both sides: no ray slips through between them, in float and without an epsilon.
+///
+/// That says which triangles the ray meets. Floats do not say where: t would be off by some 2^-22 of the size
+/// of the triangle, more than the whole distance where a large one is close by. It lies between the z of the
+/// nearest and of the farthest corner, which are exact up to their last bits.
+[[gnu::always_inline]] inline Candidates candidates(const TriangleBlock& block, const TriangleRay& ray,
+                                                    float t_min, float t_max) {
     const auto& [a, b, c] = block.corners;
     const auto [x, y, z] = std::array{ray.x, ray.y, ray.z};
     const Row a_z = a[z] - ray.origin_z, b_z = b[z] - ray.origin_z, c_z = c[z] - ray.origin_z;
@@ -74,19 +98,39 @@ inline void put(TriangleBlock& block, int lane, const std::array<vec3, 3>& corne
     const Row c_y = negative_multiply_add(ray.shear_y, c_z, c[y] - ray.origin_y);
     const Row u = c_x * b_y - c_y * b_x; // twice the signed area across from a,
     const Row v = a_x * c_y - a_y * c_x; // from b
-    const Row w =
-        b_x * a_y - b_y * a_x; // and from c: the weights of these corners, times the sum of all three
-    const Row inverse = 1.0f / (u + v + w);
-    const Row t = (u * a_z + v * b_z + w * c_z) * ray.scale * inverse;
-    const unsigned one_way =
-        at_most(Row{}, least(least(u, v), w)) | at_most(greatest(greatest(u, v), w), Row{});
-    return {one_way & less(t_min, t) & less(t, t_max), t, v * inverse, w * inverse};
+    const Row w = b_x * a_y - b_y * a_x; // and from c
+    const Row smallest = least(least(u, v), w), largest = greatest(greatest(u, v), w);
+    const unsigned one_way = at_most(Row{}, smallest) | at_most(largest, Row{});
+
+    const Row low = least(least(a_z, b_z), c_z), high = greatest(greatest(a_z, b_z), c_z);
+    const float more = 1 + 0x1p-20f, less = 1 - 0x1p-20f;
+    const Interval wide = scaled({t_min * less, t_max * more}, ray.direction_z);
+    const unsigned maybe = one_way & at_most(low, row(wide.end)) & at_most(row(wide.begin), high);
+    if (maybe == 0) return {0, 0};
+    const Interval narrow = scaled({t_min * more, t_max * less}, ray.direction_z);
+    const unsigned clear = rt::less(Row{}, smallest) | rt::less(largest, Row{}); // no area is no hit
+    return {maybe, clear & rt::less(row(narrow.begin), low) & rt::less(high, row(narrow.end))};
 }
 
-/// A ray as spheres want it: in rows to sort out most of them, and as it is.
+/// Where the ray meets a triangle whose outline it passes through: t, u and v as in triangle.h, in double. A
+/// point that is outside by the rounding of the outline is drawn in. Not a number if the triangle is seen edge-on.
+inline TriangleHit meeting(const std::array<vec3, 3>& corners, const Ray& ray) {
+    const dvec3 a(corners[0]), origin(ray.origin), direction(ray.direction);
+    const dvec3 edge_b = dvec3(corners[1]) - a, edge_c = dvec3(corners[2]) - a;
+    const dvec3 p = cross(direction, edge_c), from_a = origin - a, q = cross(from_a, edge_b);
+    const double inverse = 1 / dot(edge_b, p);
+    double u = dot(from_a, p) * inverse, v = dot(direction, q) * inverse, t = dot(edge_c, q) * inverse;
+    if (!(u >= 0 && v >= 0 && u + v <= 1)) [[unlikely]] {
+        u = glm::clamp(u, 0.0, 1.0);
+        v = glm::clamp(v, 0.0, 1 - u);
+        t = dot(u * edge_b + v * edge_c - from_a, direction) / dot(direction, direction);
+    }
+    return {float(t), float(u), float(v)};
+}
+
+/// A ray as spheres need it.
 struct SphereRay {
     Row origin[3], direction[3], squared_length;
-    Ray ray;
 };
 
 /// A row of spheres. An empty lane has a radius that is not a number, which no ray meets.
@@ -101,8 +145,7 @@ struct alignas(2 * sizeof(Row)) SphereBlock {
 [[gnu::always_inline]] inline SphereRay SphereBlock::prepare(const Ray& ray) {
     return {{row(ray.origin.x), row(ray.origin.y), row(ray.origin.z)},
             {row(ray.direction.x), row(ray.direction.y), row(ray.direction.z)},
-            row(dot(ray.direction, ray.direction)),
-            ray};
+            row(dot(ray.direction, ray.direction))};
 }
 
 inline void put(SphereBlock& block, int lane, const Sphere& sphere, std::uint32_t shape) {
@@ -111,15 +154,11 @@ inline void put(SphereBlock& block, int lane, const Sphere& sphere, std::uint32_
     block.shape[std::size_t(lane)] = shape;
 }
 
-/// The sphere in a lane of a block, without its material.
-inline Sphere sphere_at(const SphereBlock& block, std::size_t lane) {
-    return {{block.center[0][lane], block.center[1][lane], block.center[2][lane]}, block.radius[lane], 0};
-}
-
-/// The spheres that the ray may meet: its line passes near them and they do not lie behind it. These are the
-/// signs of the discriminant, of h and of c in intersect(const Sphere&, ...). Floats are off by less than
-/// 2^-19 |C - O|^2, which is given away, and what is not a number counts: none is left out that is met.
-[[gnu::always_inline]] inline unsigned candidates(const SphereBlock& block, const SphereRay& ray) {
+/// The spheres that the ray may meet: its line passes near them and they do not lie behind it. These
+/// are the signs of the discriminant, of h and of c in intersect(const Sphere&, ...). Conservative: the test
+/// is relaxed by the error bound of float, 2^-19 |C - O|^2, and NaN passes.
+[[gnu::always_inline]] inline Candidates candidates(const SphereBlock& block, const SphereRay& ray, float,
+                                                    float) {
     const Row x = block.center[0] - ray.origin[0];
     const Row y = block.center[1] - ray.origin[1];
     const Row z = block.center[2] - ray.origin[2];
@@ -127,24 +166,7 @@ inline Sphere sphere_at(const SphereBlock& block, std::size_t lane) {
     const Row c = (x * x + y * y + z * z) * (1 - 0x1p-19f) - block.radius * block.radius;
     const unsigned filled = less(Row{}, block.radius);
     const unsigned apart = less(h * h, ray.squared_length * c), behind = less(h, Row{}) & less(Row{}, c);
-    return filled & ~apart & ~behind;
-}
-
-/// Those that are left, most often one or none, decide by intersect(const Sphere&, ...), in double. The least t
-/// is the ray's own.
-[[gnu::always_inline]] inline BlockHits intersect(const SphereBlock& block, const SphereRay& ray, Row,
-                                                  Row t_max) {
-    BlockHits hits{};
-    Ray shortened = ray.ray;
-    shortened.t_max = t_max[0];
-    for (unsigned left = candidates(block, ray); left != 0;) {
-        const std::size_t lane = next_lane(left);
-        if (const auto t = intersect(sphere_at(block, lane), shortened)) {
-            hits.hit |= 1u << lane;
-            hits.t[lane] = *t;
-        }
-    }
-    return hits;
+    return {filled & ~apart & ~behind, 0};
 }
 
 } // namespace rt

@@ -21,8 +21,10 @@ struct Mesh {
     std::vector<vec3> positions;                         ///< one a vertex
     std::vector<vec3> normals;                           ///< unit, one a vertex
     std::vector<vec2> uvs;                               ///< one a vertex
+    std::vector<vec3> colors;                            ///< linear RGB, one per vertex, or none at all
     std::vector<std::array<std::uint32_t, 3>> triangles; ///< counter-clockwise from outside
     std::vector<std::int32_t> materials;                 ///< one a triangle
+    dvec3 origin{0}; ///< of the positions, in the coordinates of the file that came first
 };
 
 /// The part of a hit that a search keeps.
@@ -76,16 +78,18 @@ inline vec3 clearing(vec3 direction, vec3 smooth, vec3 geometric) {
 inline Hit surface(const MeshHit& found, const Ray& ray) {
     const Mesh& mesh = *found.mesh;
     const auto& corner = mesh.triangles[found.triangle];
-    const vec3 outward = normalize(area_normal(corners(mesh, found.triangle)));
+    const vec3 outward = vec3(normalize(area_normal(corners(mesh, found.triangle))));
     const vec3 smooth = normalize(interpolate(mesh.normals, corner, found.u, found.v));
     const vec2 uv = interpolate(mesh.uvs, corner, found.u, found.v);
     Hit hit = make_hit(ray, outward, smooth, uv, mesh.materials[found.triangle]);
     hit.normal = clearing(normalize(ray.direction), hit.normal, hit.geometric_normal);
+    if (!mesh.colors.empty()) hit.tint = interpolate(mesh.colors, corner, found.u, found.v);
     return hit;
 }
 
 /// Appends what the file holds to `mesh`; its material m becomes number material_numbers[m]. Normals that it
-/// does not give are made by smooth_normals(); uvs that it does not give are (0, 0).
+/// does not give are made by smooth_normals(); uvs that it does not give are (0, 0). A file whose origin is
+/// another than the mesh's is moved.
 inline void append(Mesh& mesh, const ObjFile& file, const std::vector<int>& material_numbers, float crease) {
     const bool complete = std::ranges::all_of(file.triangles, [](const auto& triangle) {
         return std::ranges::all_of(triangle, [](const ObjCorner& corner) { return corner.normal >= 0; });
@@ -93,6 +97,9 @@ inline void append(Mesh& mesh, const ObjFile& file, const std::vector<int>& mate
     const auto made = complete ? std::vector<std::array<vec3, 3>>() : smooth_normals(file, crease);
 
     const std::size_t begin = mesh.positions.size();
+    if (begin == 0) mesh.origin = file.origin;
+    const auto moved = [&, shift = file.origin - mesh.origin](vec3 p) { return vec3(dvec3(p) + shift); };
+    if (!file.colors.empty()) mesh.colors.resize(begin, vec3(1)); // what came before has none
     Numbering numbering(file.positions.size());
     std::vector<ObjCorner> known; // one a vertex of this file: a corner where it stands
     const auto vertex = [&](const ObjCorner& corner, vec3 normal) {
@@ -105,7 +112,8 @@ inline void append(Mesh& mesh, const ObjFile& file, const std::vector<int>& mate
         const std::uint32_t n = numbering(hash(normal) % 1024 + std::uint64_t(corner.position), same);
         if (n == known.size()) {
             known.push_back(corner);
-            mesh.positions.push_back(file.positions[std::size_t(corner.position)]);
+            mesh.positions.push_back(moved(file.positions[std::size_t(corner.position)]));
+            if (!file.colors.empty()) mesh.colors.push_back(file.colors[std::size_t(corner.position)]);
             mesh.normals.push_back(normal);
             mesh.uvs.push_back(corner.uv >= 0 ? file.uvs[std::size_t(corner.uv)] : vec2(0));
         }
@@ -122,6 +130,7 @@ inline void append(Mesh& mesh, const ObjFile& file, const std::vector<int>& mate
         mesh.triangles.push_back(triangle);
         mesh.materials.push_back(material_numbers[std::size_t(file.materials[i])]);
     }
+    if (!mesh.colors.empty()) mesh.colors.resize(mesh.positions.size(), vec3(1));
 }
 
 /// Moves a model before it is added to a scene: scaled, turned about the y axis (degrees, from +z towards

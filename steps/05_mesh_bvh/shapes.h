@@ -45,7 +45,7 @@ struct Shapes {
 /// is compiled once for all programs.
 void prepare(Shapes& shapes);
 
-/// Calls test(i) for all shapes that the ray may meet, until one answers true.
+/// Calls test(i) for all shapes that the ray may meet, until one returns true.
 template <typename Test>
 void search(Accel accel, const Bvh& tree, std::size_t count, const Ray& ray, Test&& test) {
     if (accel == Accel::bvh) return traverse(tree, ray, test);
@@ -80,20 +80,30 @@ inline void search_shapes(const Shapes& shapes, Ray& ray, Met& met) {
     });
 }
 
-/// The same by the wide trees.
+/// The quad of which a triangle of the wide tree is one half; null for a triangle of the mesh.
+inline const Quad* quad_of(const Shapes& shapes, std::uint32_t i) {
+    const std::size_t triangles = shapes.mesh.triangles.size();
+    return i < triangles ? nullptr : &shapes.quads[(i - triangles) / 2];
+}
+
+/// The same by the wide trees. They know which shapes the ray may meet; where it meets them is worked out in
+/// double, as above. So all ways give the same picture.
 inline void search_wide(const Shapes& shapes, Ray& ray, Met& met) {
-    if (const auto hit = nearest(shapes.wide_spheres, ray)) {
-        ray.t_max = hit->t;
-        met = &shapes.spheres[hit->shape];
-    }
-    if (const auto hit = nearest(shapes.wide_triangles, ray)) {
-        ray.t_max = hit->t;
-        const std::size_t triangles = shapes.mesh.triangles.size();
-        if (hit->shape < triangles)
-            met = MeshHit{&shapes.mesh, hit->shape, hit->u, hit->v};
-        else
-            met = &shapes.quads[(hit->shape - triangles) / 2];
-    }
+    const auto shorten = [&](float t, auto found) {
+        if (!contains(ray, t)) return;
+        ray.t_max = t;
+        met = found;
+    };
+    nearest(shapes.wide_spheres, ray, [&](const SphereBlock& block, std::size_t lane) {
+        const Sphere& sphere = shapes.spheres[block.shape[lane]];
+        if (const auto t = intersect(sphere, ray)) shorten(*t, &sphere);
+    });
+    nearest(shapes.wide_triangles, ray, [&](const TriangleBlock& block, std::size_t lane) {
+        const std::uint32_t i = block.shape[lane];
+        if (const Quad* quad = quad_of(shapes, i)) return shorten(float(plane_t(*quad, ray)), quad);
+        const TriangleHit hit = meeting(corners_at(block, lane), ray);
+        shorten(hit.t, MeshHit{&shapes.mesh, i, hit.u, hit.v});
+    });
 }
 
 /// What the ray meets first. Each hit shortens the ray, so the last one found is the nearest; only that one
@@ -117,14 +127,27 @@ inline std::optional<Hit> intersect(const Shapes& shapes, Ray ray) {
         [&](const MeshHit& found) { return std::optional(surface(found, ray)); });
 }
 
+/// The wide trees' part of occluded().
+inline bool occluded_wide(const Shapes& shapes, const Ray& ray) {
+    return any_hit(shapes.wide_triangles, ray,
+                   [&](const TriangleBlock& block, std::size_t lane) {
+                       const Quad* quad = quad_of(shapes, block.shape[lane]);
+                       const float t =
+                           quad ? float(plane_t(*quad, ray)) : meeting(corners_at(block, lane), ray).t;
+                       return contains(ray, t);
+                   }) ||
+           any_hit(shapes.wide_spheres, ray, [&](const SphereBlock& block, std::size_t lane) {
+               return intersect(shapes.spheres[block.shape[lane]], ray).has_value();
+           });
+}
+
 /// Whether anything at all stands in the ray's interval: the first shape that does ends the search.
 inline bool occluded(const Shapes& shapes, const Ray& ray) {
     ++tally.rays;
     bool found = false;
     const auto test = [&](const auto& shape) { return found = intersect(shape, ray).has_value(); };
     if (std::ranges::any_of(shapes.planes, test)) return true;
-    if (shapes.accel == Accel::wide)
-        return any_hit(shapes.wide_triangles, ray) || any_hit(shapes.wide_spheres, ray);
+    if (shapes.accel == Accel::wide) return occluded_wide(shapes, ray);
     if (std::ranges::any_of(shapes.quads, test)) return true;
     search(shapes.accel, shapes.sphere_tree, shapes.spheres.size(), ray,
            [&](std::uint32_t i) { return test(shapes.spheres[i]); });

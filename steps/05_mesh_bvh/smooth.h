@@ -13,9 +13,10 @@
 
 namespace rt {
 
-/// Twice the area, along the outward normal.
-inline vec3 area_normal(const std::array<vec3, 3>& corner) {
-    return cross(corner[1] - corner[0], corner[2] - corner[0]);
+/// Twice the area, along the outward normal. In double: the squares of small numbers vanish in float.
+inline dvec3 area_normal(const std::array<vec3, 3>& corner) {
+    const dvec3 first(corner[0]);
+    return cross(dvec3(corner[1]) - first, dvec3(corner[2]) - first);
 }
 
 /// Numbers things 0, 1, 2 ... and finds those again that it has met: a hash table whose entries are chained.
@@ -93,19 +94,19 @@ inline Meetings parted(Meetings meet, const std::vector<int>& groups) {
 
 /// The faces that meet in a point, as area normals: for each the sum of those, itself among them, that differ
 /// from it by no more than the angle `crease`, in radians.
-inline std::vector<vec3> smooth_sums(const std::vector<vec3>& faces, float crease) {
-    const vec3 all = std::accumulate(faces.begin(), faces.end(), vec3(0));
-    const float half = (std::cos(crease / 2) + 1e-5f) * length(all);
-    const auto near_all = [&](vec3 face) { return dot(face, all) > half * length(face); };
+inline std::vector<dvec3> smooth_sums(const std::vector<dvec3>& faces, float crease) {
+    const dvec3 all = std::accumulate(faces.begin(), faces.end(), dvec3(0));
+    const double half = (std::cos(crease / 2) + 1e-5) * length(all);
+    const auto near_all = [&](dvec3 face) { return dot(face, all) > half * length(face); };
     if (std::ranges::all_of(faces, near_all)) // none differs by half from their sum: no two by more than all
-        return std::vector<vec3>(faces.size(), all);
+        return std::vector<dvec3>(faces.size(), all);
 
-    std::vector<float> lengths;
-    for (const vec3 face : faces) lengths.push_back(length(face));
-    std::vector<vec3> sums(faces.size());
+    std::vector<double> lengths;
+    for (const dvec3 face : faces) lengths.push_back(length(face));
+    std::vector<dvec3> sums(faces.size());
     for (std::size_t i = 0; i < faces.size(); ++i) {
-        const float least = std::cos(crease) * lengths[i];
-        vec3 sum(0);
+        const double least = std::cos(crease) * lengths[i];
+        dvec3 sum(0);
         for (std::size_t j = 0; j < faces.size(); ++j)
             if (dot(faces[i], faces[j]) >= least * lengths[j]) sum += faces[j];
         sums[i] = sum;
@@ -124,15 +125,15 @@ inline std::vector<std::array<vec3, 3>> smooth_normals(const ObjFile& file, floa
     };
     const Meetings meet = parted(meetings(file), file.smoothing_groups);
     std::vector<std::array<vec3, 3>> normals(file.triangles.size());
-    std::vector<vec3> faces;
+    std::vector<dvec3> faces;
     for (std::uint32_t begin = 0; const std::uint32_t end : meet.end) {
         faces.clear();
         for (std::uint32_t i = begin; i < end; ++i) faces.push_back(face(meet.corner[i] / 3));
-        const std::vector<vec3> sums = smooth_sums(faces, glm::radians(crease));
+        const std::vector<dvec3> sums = smooth_sums(faces, glm::radians(crease));
         for (std::uint32_t i = begin; i < end; ++i) {
-            const vec3 sum = sums[i - begin];
+            const dvec3 sum = sums[i - begin];
             normals[meet.corner[i] / 3][meet.corner[i] % 3] =
-                normalize(length(sum) > 0 ? sum : faces[i - begin]);
+                vec3(normalize(length(sum) > 0 ? sum : faces[i - begin]));
         }
         begin = end;
     }

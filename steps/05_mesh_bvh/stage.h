@@ -14,7 +14,7 @@ namespace rt {
 
 struct Stage {
     Pose pose;        ///< shows all of the model from the front, a little from the right and from above
-    vec3 floor;       ///< a point of the floor, right under the model
+    vec3 floor;       ///< a point of the floor, a hair's breadth under the model
     vec3 lamp;        ///< where a lamp stands, beside the camera and well above the model
     float lamp_scale; ///< metres^2: an intensity of this many W/sr sheds about 1 W/m^2 on the model
 };
@@ -28,7 +28,7 @@ inline Stage stage_for(const Box& box, float aspect) {
     const float away = 1.02f * radius / std::sin(half_angle); // the ball around the box just fits
     const vec3 lamp = center + radius * vec3(-1.6f, 3.2f, 2.4f);
     return {{center + away * normalize(vec3(0.45f, 0.32f, 1)), center, {0, 1, 0}, fov},
-            {center.x, box.low.y, center.z},
+            {center.x, box.low.y - 0x1p-12f * radius, center.z}, // so that a floor of the model's own shows
             lamp,
             dot(lamp - center, lamp - center)};
 }
@@ -54,7 +54,8 @@ template <typename Scene>
 Pose stage_model(Scene& scene, const ModelKnobs& knobs, float aspect) {
     const ObjFile file = read_obj(knobs.mesh);
     add(scene, file, knobs.crease);
-    const Stage stage = stage_for(bounds(scene.mesh), aspect);
+    Stage stage = stage_for(bounds(scene.mesh), aspect);
+    stage.pose.origin = scene.mesh.origin;
     const auto glows = [](const ObjMaterial& material) { return material.emission != vec3(0); };
     if (!knobs.bare || std::ranges::none_of(file.material_list, glows))
         scene.sky = {.nadir = {0.22f, 0.21f, 0.2f}, .zenith = {0.4f, 0.46f, 0.56f}};

@@ -37,7 +37,7 @@ struct alignas(WideNode) Line {
 
 /// Nodes and blocks in one array, each beside its parent: what is needed next is near, one pointer reaches
 /// all, and fetching ahead need not know which of the two it fetches. `Block` is TriangleBlock or
-/// SphereBlock, or whatever has a prepare() and an intersect() like theirs.
+/// SphereBlock, or whatever has a prepare() and candidates() like theirs.
 template <typename Block>
 struct WideBvh {
     BigVector<Line> lines;             ///< none without shapes
@@ -150,47 +150,35 @@ template <typename Block>
     return true;
 }
 
-/// What a search keeps of a hit: u and v weigh a triangle's second and third corner.
-struct BlockHit {
-    float t, u, v;
-    std::uint32_t shape;
-};
-
-/// The nearest shape that the ray meets.
-template <typename Block>
-std::optional<BlockHit> nearest(const WideBvh<Block>& bvh, const Ray& ray) {
-    if (bvh.lines.empty()) return std::nullopt;
+/// Calls leaf(block, lane) for the shapes that the ray may meet, nearest boxes first. The leaf function says
+/// where the ray meets the shape, if it does, and shortens `ray`; boxes beyond are then passed over.
+template <typename Block, typename Leaf>
+void nearest(const WideBvh<Block>& bvh, const Ray& ray, Leaf&& leaf) {
+    if (bvh.lines.empty()) return;
     const WideRay wide = wide_ray(ray);
     const auto narrow = Block::prepare(ray);
-    BlockHit best{ray.t_max, 0, 0, no_shape};
-    Row t_max = row(ray.t_max);
     std::array<Waiting, (lanes - 1) * wide_depth> stack; // a node leaves all children but one behind
     Waiting* top = stack.data();
     std::uint32_t child = bvh.root;
     while (true) {
-        if (descend(bvh, wide, t_max, top, child)) {
+        if (descend(bvh, wide, row(ray.t_max), top, child)) {
             const Block& block = block_at(bvh, child);
             tally.triangle_tests += lanes;
-            const BlockHits hits = intersect(block, narrow, wide.t_min, t_max);
-            for (unsigned hit = hits.hit; hit != 0;) {
-                const std::size_t lane = next_lane(hit);
-                if (hits.t[lane] < best.t)
-                    best = {hits.t[lane], hits.u[lane], hits.v[lane], block.shape[lane]};
-            }
-            t_max = row(best.t);
+            for (unsigned maybe = candidates(block, narrow, ray.t_min, ray.t_max).maybe; maybe != 0;)
+                leaf(block, next_lane(maybe));
         }
         do {
-            if (top == stack.data()) return best.shape == no_shape ? std::nullopt : std::optional(best);
+            if (top == stack.data()) return;
             --top;
-        } while (top->t > best.t);
+        } while (top->t > ray.t_max);
         child = top->child;
     }
 }
 
-/// Whether the ray meets any shape at all. It need not know which child is nearer, so what waits of a node is
-/// a set of lanes.
-template <typename Block>
-bool any_hit(const WideBvh<Block>& bvh, const Ray& ray) {
+/// Whether the ray meets any shape at all; leaf(block, lane) decides where the block is not certain. It need not
+/// know which child is nearer, so the stack holds nodes and the sets of their children that are not visited yet.
+template <typename Block, typename Leaf>
+bool any_hit(const WideBvh<Block>& bvh, const Ray& ray, Leaf&& leaf) {
     struct Lanes {
         const WideNode* node;
         unsigned entered;
@@ -204,8 +192,14 @@ bool any_hit(const WideBvh<Block>& bvh, const Ray& ray) {
     std::uint32_t child = bvh.root;
     while (true) {
         if (is_block(child)) {
+            const Block& block = block_at(bvh, child);
             tally.triangle_tests += lanes;
-            if (intersect(block_at(bvh, child), narrow, wide.t_min, t_max).hit != 0) return true;
+            const Candidates found = candidates(block, narrow, ray.t_min, ray.t_max);
+            if (found.certain != 0) return true;
+            if (found.maybe != 0) [[unlikely]] {
+                for (unsigned maybe = found.maybe; maybe != 0;)
+                    if (leaf(block, next_lane(maybe))) return true;
+            }
         } else {
             tally.box_tests += lanes;
             Row t;

@@ -33,31 +33,34 @@ inline float area(const Quad& quad) {
 }
 
 inline float area(const LightTriangle& triangle) {
-    return length(area_normal({triangle.a, triangle.b, triangle.c})) / 2;
+    return float(length(area_normal({triangle.a, triangle.b, triangle.c})) / 2);
 }
 
 inline float area(const Sphere& sphere) {
     return 4 * pi * sphere.radius * sphere.radius;
 }
 
-/// Points spread evenly over a shape, from u in [0, 1)^2.
+/// Points spread evenly over a shape, from u in [0, 1)^2; in double and rounded once, so that a shadow ray
+/// that ends `epsilon` before one does not meet the light itself.
 inline LightPoint light_point(const Quad& quad, vec2 u) {
-    return {quad.corner + u.x * quad.edge_u + u.y * quad.edge_v, normalize(cross(quad.edge_u, quad.edge_v))};
+    const dvec3 across = double(u.x) * dvec3(quad.edge_u) + double(u.y) * dvec3(quad.edge_v);
+    return {vec3(dvec3(quad.corner) + across), normalize(cross(quad.edge_u, quad.edge_v))};
 }
 
 /// A square folded along its diagonal would do; this warp keeps neighbours together (Osada et al. 2002, 4.2).
 inline LightPoint light_point(const LightTriangle& triangle, vec2 u) {
     //> weights 1 - sqrt(u.x), sqrt(u.x) (1 - u.y) and sqrt(u.x) u.y
-    const float root = std::sqrt(u.x);
-    const vec3 position = (1 - root) * triangle.a + root * (1 - u.y) * triangle.b + root * u.y * triangle.c;
+    const double root = std::sqrt(u.x), v = u.y;
+    const dvec3 a(triangle.a), b(triangle.b), c(triangle.c);
+    const vec3 position((1 - root) * a + root * (1 - v) * b + root * v * c);
     //< const vec3 position = triangle.a;
-    return {position, normalize(area_normal({triangle.a, triangle.b, triangle.c}))};
+    return {position, vec3(normalize(area_normal({triangle.a, triangle.b, triangle.c})))};
 }
 
 /// Half of the points face away and shed nothing.
 inline LightPoint light_point(const Sphere& sphere, vec2 u) {
-    const vec3 normal = unit_vector(u);
-    return {sphere.center + sphere.radius * normal, normal};
+    const dvec3 normal = normalize(dvec3(unit_vector(u)));
+    return {vec3(dvec3(sphere.center) + double(sphere.radius) * normal), vec3(normal)};
 }
 
 struct AreaLight {

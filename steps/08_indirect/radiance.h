@@ -115,14 +115,14 @@ vec3 radiance(const S& scene, const AreaLights& lights, const Transport& transpo
                 gathered +=
                     throughput * diffuse.emission * found(scene, lights, transport, ray, *hit, density);
             if (last || diffuse.albedo == vec3(0)) return gathered;
-            throughput *= diffuse.albedo;
+            throughput *= diffuse.albedo * hit->tint;
             gathered += throughput * asked(scene, lights, transport, *hit, absorption, source) / pi;
             //> the cosine over pi times the density, which is 1 where bounces go by the cosine
             const vec3 direction = bounce_direction(transport.spread, hit->normal, source.uniform2());
             const float cosine = dot(direction, hit->normal);
             density = bounce_pdf(transport.spread, cosine);
             throughput *= cosine / (pi * density);
-            ray = ray_from(*hit, direction);
+            ray = {offset_position(*hit, hit->geometric_normal), direction};
             //< return gathered;
             matte = true;
         }

@@ -6,7 +6,7 @@
 #include "02_shadows/light.h"
 #include "03_mirror/mirror.h"
 #include "04_refraction/glass.h"
-#include "05_mesh_bvh/shapes.h"
+#include "06_textures/cutout.h"
 #include "06_textures/texture.h"
 #include "08_indirect/metal.h"
 
@@ -17,7 +17,7 @@ namespace rt {
 
 using Material = std::variant<Diffuse, Checker, Mirror, Reflective, Glass, Textured, Metal>;
 
-struct Scene : Shapes {
+struct Scene : CutOutShapes {
     Sky sky;
     std::vector<PointLight> lights;
     std::vector<Material> materials;
@@ -48,13 +48,19 @@ inline int add(Scene& scene, const ObjMaterial& material, int first_texture) {
     return add(scene, Reflective{material.reflectivity, base});
 }
 
-/// Puts a model into the scene, with its materials and textures. `crease` as in smooth_normals().
+/// Puts a model into the scene, with its materials, textures and masks. A material that glows has no holes.
+/// `crease` as in smooth_normals().
 inline void add(Scene& scene, const ObjFile& file, float crease) {
     const int first_texture = int(scene.textures.size());
     for (const Bitmap& bitmap : file.textures) add(scene, bitmap);
+    const int first_mask = int(scene.masks.size());
+    for (const Mask& mask : file.masks) scene.masks.push_back(make_mask(mask));
     std::vector<int> numbers;
-    for (const ObjMaterial& material : file.material_list)
+    for (const ObjMaterial& material : file.material_list) {
         numbers.push_back(add(scene, material, first_texture));
+        if (material.mask >= 0 && material.emission == vec3(0))
+            cut_out(scene, numbers.back(), first_mask + material.mask);
+    }
     append(scene.mesh, file, numbers, crease);
 }
 

@@ -21,7 +21,7 @@ struct Program {
     rt::Options options;
     const float& ior;
     const int& depth;
-    const rt::vec3& from;
+    const rt::dvec3& from;
     const bool& bare;
     const std::string& mesh;
     const rt::Choice<View> view;
@@ -94,7 +94,7 @@ TEST_CASE("a bare command line gives the defaults") {
     CHECK(program.parse({}));
     CHECK(program.ior == 1.5f);
     CHECK(program.depth == 5);
-    CHECK(program.from == rt::vec3(0, 1.25f, -4));
+    CHECK(program.from == rt::dvec3(0, 1.25, -4));
     CHECK_FALSE(program.bare);
     CHECK(program.mesh.empty());
     CHECK(View(program.view) == View::normal);
@@ -142,7 +142,7 @@ TEST_CASE("each flag sets what it names") {
                          __FILE__}));
     CHECK(program.ior == 2.25f);
     CHECK(program.depth == 7);
-    CHECK(program.from == rt::vec3(1, 2, 3.5f));
+    CHECK(program.from == rt::dvec3(1, 2, 3.5));
     CHECK(program.bare);
     CHECK(program.mesh == __FILE__);
     CHECK(View(program.view) == View::depth);
@@ -164,11 +164,14 @@ TEST_CASE("a value may be negative, and may follow an equals sign") {
              {"--from", "-1,-0.5,-2e1"}, {"--from=-1,-.5,-20"}, {"--from", "-1,-0.5,-20.0"}}) {
         Program program;
         CHECK(program.parse(words));
-        CHECK(program.from == rt::vec3(-1, -0.5f, -20));
+        CHECK(program.from == rt::dvec3(-1, -0.5, -20));
     }
     Program dotted;
     CHECK(dotted.parse({"--from", "-.5,+.25,1.", "--depth=+6"}));
-    CHECK(dotted.from == rt::vec3(-0.5f, 0.25f, 1));
+    CHECK(dotted.from == rt::dvec3(-0.5, 0.25, 1));
+    Program far;
+    CHECK(far.parse({"--from", "500000.125,4649776.22,12.5"}));
+    CHECK_MESSAGE(far.from == rt::dvec3(500000.125, 4649776.22, 12.5), "no digit is lost: float has 7, these have 9");
     CHECK(dotted.depth == 6);
 }
 

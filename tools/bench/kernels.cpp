@@ -79,7 +79,7 @@ void row_of_shapes(benchmark::State& state, const Block& block) {
     const std::vector<Ray> rays = some_rays();
     std::vector<decltype(Block::prepare(rays[0]))> prepared;
     for (const Ray& ray : rays) prepared.push_back(Block::prepare(ray));
-    repeat(state, [&](std::size_t i) { return intersect(block, prepared[i], row(0), row(infinity)).hit; });
+    repeat(state, [&](std::size_t i) { return candidates(block, prepared[i], 0, infinity).maybe; });
 }
 
 void row_of_triangles(benchmark::State& state) {

@@ -29,13 +29,21 @@ inline Ours build_ours(const Mesh& mesh, int threads) {
         [&](TriangleBlock& block, int lane, std::uint32_t i) { put(block, lane, corners(mesh, i), i); });
 }
 
-inline Found nearest(const Ours& ours, const Ray& ray) {
-    const auto hit = rt::nearest(ours, ray);
-    return hit ? Found{hit->t, hit->u, hit->v, hit->shape} : Found{};
+inline Found nearest(const Ours& ours, Ray ray) {
+    Found found;
+    rt::nearest(ours, ray, [&](const TriangleBlock& block, std::size_t lane) {
+        const TriangleHit hit = meeting(corners_at(block, lane), ray);
+        if (!contains(ray, hit.t)) return;
+        ray.t_max = hit.t;
+        found = {hit.t, hit.u, hit.v, block.shape[lane]};
+    });
+    return found;
 }
 
 inline bool any_hit(const Ours& ours, const Ray& ray) {
-    return rt::any_hit(ours, ray);
+    return rt::any_hit(ours, ray, [&](const TriangleBlock& block, std::size_t lane) {
+        return contains(ray, meeting(corners_at(block, lane), ray).t);
+    });
 }
 
 /// The truth, by asking every triangle.

@@ -45,7 +45,7 @@ inline RaySets make_rays(const Subject& subject, const Ours& ours, int size) {
     for (const Ray& ray : sets.primary) {
         const Found found = nearest(ours, ray);
         if (found.primitive == nothing) continue;
-        const vec3 outward = normalize(area_normal(corners(subject.mesh, found.primitive)));
+        const vec3 outward = vec3(normalize(area_normal(corners(subject.mesh, found.primitive))));
         const vec3 normal = dot(ray.direction, outward) > 0 ? -outward : outward;
         const vec3 position = at(ray, found.t);
         const vec3 start = position + position_error(ray.origin, position) * normal;

@@ -52,15 +52,28 @@ std::string name_of(const Material&) {
     return std::string(own.substr(own.rfind(':') + 1));
 }
 
+/// A point in the coordinates that the user knows: those of the model's file, which may be far from 0.
+inline std::string place([[maybe_unused]] const Scene& scene, vec3 point) {
+#if RT_STEP >= 5
+    if (const dvec3 origin = scene.mesh.origin; origin != dvec3(0)) {
+        const dvec3 p = origin + dvec3(point);
+        char text[120];
+        std::snprintf(text, sizeof text, "(%.10g %.10g %.10g)", p.x, p.y, p.z);
+        return text;
+    }
+#endif
+    return text(point);
+}
+
 inline void say_hit(const Scene& scene, const Ray& ray, const std::optional<Hit>& hit) {
-    say("ray from %s towards %s", text(ray.origin).c_str(), text(ray.direction).c_str());
+    say("ray from %s towards %s", place(scene, ray.origin).c_str(), text(ray.direction).c_str());
     if (!hit) return say("  meets %s", "nothing");
     const auto& material = scene.materials[std::size_t(hit->material)];
     const std::string name = std::visit([](const auto& arm) { return name_of(arm); }, material);
     say("  meets material %d, a %s, at t = %.6g%s", hit->material, name.c_str(), double(hit->t),
         hit->inside ? ", from inside" : "");
-    say("  point %s, normal %s, uv (%.4g %.4g)", text(hit->position).c_str(), text(hit->normal).c_str(),
-        double(hit->uv.x), double(hit->uv.y));
+    say("  point %s, normal %s, uv (%.4g %.4g)", place(scene, hit->position).c_str(),
+        text(hit->normal).c_str(), double(hit->uv.x), double(hit->uv.y));
 }
 
 /// Calls radiance(), one level deeper.
@@ -85,8 +98,8 @@ inline std::optional<Hit> intersect(const TracedScene& scene, const Ray& ray) {
 #if RT_STEP >= 2
 inline bool occluded(const TracedScene& scene, const Ray& ray) {
     const bool dark = occluded(static_cast<const Scene&>(scene), ray);
-    trace::say("shadow ray from %s to %s: %s", trace::text(ray.origin).c_str(),
-               trace::text(at(ray, ray.t_max)).c_str(), dark ? "something is between" : "free");
+    trace::say("shadow ray from %s to %s: %s", trace::place(scene, ray.origin).c_str(),
+               trace::place(scene, at(ray, ray.t_max)).c_str(), dark ? "something is between" : "free");
     return dark;
 }
 #endif
