@@ -18,14 +18,15 @@ void check_chunk(const ParsedChunk& chunk, const std::string& text) {
     const std::size_t named =
         std::accumulate(chunk.face_sizes.begin(), chunk.face_sizes.end(), std::size_t(0));
     require(named == corners, "every corner is a face's");
-    require(chunk.lines == std::ranges::count(text, '\n') + (text.ends_with('\n') ? 0 : 1),
-            "lines are counted");
+    // One more where the last line has no end, or a '\' at its end asks for another.
+    const auto ends = std::ranges::count(text, '\n');
+    require(chunk.lines == ends || chunk.lines == ends + 1, "lines are counted");
     for (const auto& list : chunk.relative)
         for (const std::size_t corner : list)
             require(corner < corners, "numbers that count back are corners'");
     for (const MaterialLine& line : chunk.material_lines)
         require(line.face <= chunk.face_sizes.size(), "a material line stands before a face or at the end");
-    for (const glm::dvec3& p : chunk.positions)
+    for (const dvec3& p : chunk.positions)
         require(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z), "positions are finite");
     require(chunk.colors.size() <= chunk.positions.size(), "a colour is a position's");
     for (std::size_t i = 0, before = 1; i < corners; ++i) {
