@@ -27,15 +27,15 @@ struct Folder {
     }
 };
 
-constexpr std::array all {
-    Target{"catalogue", run_catalogue}, Target{"hdr", run_hdr},
-#if RT_STB_JPEG
-        Target{"jpeg", run_picture},
-#endif
-        Target{"json", run_json}, Target{"mtl", run_mtl}, Target{"numbers", run_numbers},
-        Target{"obj", run_obj}, Target{"obj_text", run_obj_text}, Target{"options", run_options},
-        Target{"png", run_picture}, Target{"sphere_list", run_sphere_list}, Target{"tutor", run_tutor},
-        Target{"weave", run_weave},
+constexpr std::array all{
+    Target{"bmp", run_picture},       Target{"catalogue", run_catalogue},
+    Target{"hdr", run_hdr},           Target{"jpeg", run_picture},
+    Target{"json", run_json},         Target{"mtl", run_mtl},
+    Target{"numbers", run_numbers},   Target{"obj", run_obj},
+    Target{"obj_text", run_obj_text}, Target{"options", run_options},
+    Target{"png", run_picture},       Target{"sphere_list", run_sphere_list},
+    Target{"tga", run_tga},           Target{"tutor", run_tutor},
+    Target{"weave", run_weave},
 };
 
 } // namespace

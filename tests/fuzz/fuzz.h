@@ -58,6 +58,7 @@ void run_obj_text(std::string_view bytes);
 void run_options(std::string_view bytes);
 void run_picture(std::string_view bytes);
 void run_sphere_list(std::string_view bytes);
+void run_tga(std::string_view bytes);
 void run_tutor(std::string_view bytes);
 void run_weave(std::string_view bytes);
 

@@ -16,8 +16,9 @@ std::string write_model() {
                                      "usemtl b c\nf 1 2 3\nusemtl c\nf 1 3 2\n");
 }
 
-void check_material(const ObjMaterial& material, std::size_t textures) {
-    require(material.texture >= -1 && material.texture < int(textures), "textures are in range");
+void check_material(const ObjMaterial& material, const ObjFile& file) {
+    require(material.texture >= -1 && material.texture < int(file.textures.size()), "textures are in range");
+    require(material.mask >= -1 && material.mask < int(file.masks.size()), "masks are in range");
     for (int i = 0; i < 3; ++i) {
         require(material.diffuse[i] >= 0 && material.diffuse[i] <= 1, "Kd is in [0, 1]");
         require(material.emission[i] >= 0 && std::isfinite(material.emission[i]), "Ke is finite");
@@ -33,7 +34,7 @@ void run_mtl(std::string_view bytes) {
     write_input("of_obj.mtl", bytes);
     ObjFile file;
     refusal([&] { file = read_obj(model, {1, std::size_t(1) << 20}); });
-    for (const ObjMaterial& material : file.material_list) check_material(material, file.textures.size());
+    for (const ObjMaterial& material : file.material_list) check_material(material, file);
 }
 
 } // namespace rt::fuzz

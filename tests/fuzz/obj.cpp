@@ -23,19 +23,33 @@ void check_corner(const ObjFile& file, const ObjCorner& corner) {
     require(corner.normal == -1 || in_range(corner.normal, file.normals.size()), "normals are in range");
 }
 
+void check_material(const ObjFile& file, const ObjMaterial& material) {
+    require(material.texture == -1 || in_range(material.texture, file.textures.size()),
+            "textures are in range");
+    require(material.mask == -1 || in_range(material.mask, file.masks.size()), "masks are in range");
+}
+
+void check_vertices(const ObjFile& file) {
+    require(all_finite(file.positions) && all_finite(file.normals), "vectors are finite");
+    for (const vec2 uv : file.uvs) require(is_finite(vec3(uv, 0)), "texture coordinates are finite");
+    for (const vec3& normal : file.normals) require(normal != vec3(0), "no normal is zero");
+    require(file.colors.empty() || file.colors.size() == file.positions.size(), "all positions have colours");
+    for (const vec3& color : file.colors)
+        require(is_finite(color) && clamp(color, 0.0f, 1.0f) == color, "colours are in [0, 1]");
+}
+
 void check_file(const ObjFile& file) {
     require(!file.triangles.empty(), "a file has triangles");
     require(file.triangles.size() == file.materials.size(), "each triangle has a material");
+    const std::size_t groups = file.smoothing_groups.size();
+    require(groups == 0 || groups == file.triangles.size(),
+            "each triangle has a smoothing group, or none has");
     for (const auto& triangle : file.triangles)
         for (const ObjCorner& corner : triangle) check_corner(file, corner);
     for (const int material : file.materials)
         require(in_range(material, file.material_list.size()), "materials are in range");
-    for (const ObjMaterial& material : file.material_list)
-        require(material.texture == -1 || in_range(material.texture, file.textures.size()),
-                "textures are in range");
-    require(all_finite(file.positions) && all_finite(file.normals), "vectors are finite");
-    for (const vec2 uv : file.uvs) require(is_finite(vec3(uv, 0)), "texture coordinates are finite");
-    for (const vec3& normal : file.normals) require(normal != vec3(0), "no normal is zero");
+    for (const ObjMaterial& material : file.material_list) check_material(file, material);
+    check_vertices(file);
 }
 
 template <typename Value>
@@ -45,11 +59,12 @@ bool same_bytes(const std::vector<Value>& a, const std::vector<Value>& b) {
 }
 
 bool same(const ObjFile& a, const ObjFile& b) {
-    return same_bytes(a.positions, b.positions) && same_bytes(a.normals, b.normals) &&
-           same_bytes(a.uvs, b.uvs) && same_bytes(a.triangles, b.triangles) &&
-           same_bytes(a.materials, b.materials) &&
+    return a.origin == b.origin && same_bytes(a.positions, b.positions) && same_bytes(a.normals, b.normals) &&
+           same_bytes(a.uvs, b.uvs) && same_bytes(a.colors, b.colors) &&
+           same_bytes(a.triangles, b.triangles) && same_bytes(a.materials, b.materials) &&
+           same_bytes(a.smoothing_groups, b.smoothing_groups) &&
            std::ranges::equal(a.material_list, b.material_list, {}, &ObjMaterial::name, &ObjMaterial::name) &&
-           a.textures.size() == b.textures.size();
+           a.textures.size() == b.textures.size() && a.masks.size() == b.masks.size();
 }
 
 } // namespace

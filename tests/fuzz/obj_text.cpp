@@ -1,22 +1,39 @@
-// The stages of the OBJ reader in memory: what scan_chunk() accepts parse_chunk() reads, with the counts that were scanned.
+// The text of an OBJ file in memory: what parse_chunk() reads fits together, polygons are cut, numbers are exact.
 #include "common/obj/parse.h"
 #include "common/obj/polygon.h"
 #include "common/obj/scan.h"
 #include "tests/fuzz/fuzz.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <numeric>
 
 namespace rt::fuzz {
 
 namespace {
 
-void check_counts(const ParsedChunk& parsed, const ChunkScan& scan) {
-    require(parsed.positions.size() == std::size_t(scan.counts[Numbered::position]), "positions are counted");
-    require(parsed.uvs.size() == std::size_t(scan.counts[Numbered::uv]), "texture coordinates are counted");
-    require(parsed.normals.size() == std::size_t(scan.counts[Numbered::normal]), "normals are counted");
-    require(parsed.face_sizes.size() == std::size_t(scan.faces), "faces are counted");
-    require(parsed.corners.size() == std::size_t(scan.corners), "corners are counted");
+void check_chunk(const ParsedChunk& chunk, const std::string& text) {
+    const std::size_t corners = chunk.corners.size();
+    const std::size_t named =
+        std::accumulate(chunk.face_sizes.begin(), chunk.face_sizes.end(), std::size_t(0));
+    require(named == corners, "every corner is a face's");
+    // One more where the last line has no end, or a '\' at its end asks for another.
+    const auto ends = std::ranges::count(text, '\n');
+    require(chunk.lines == ends || chunk.lines == ends + 1, "lines are counted");
+    for (const auto& list : chunk.relative)
+        for (const std::size_t corner : list)
+            require(corner < corners, "numbers that count back are corners'");
+    for (const MaterialLine& line : chunk.material_lines)
+        require(line.face <= chunk.face_sizes.size(), "a material line stands before a face or at the end");
+    for (const dvec3& p : chunk.positions)
+        require(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z), "positions are finite");
+    require(chunk.colors.size() <= chunk.positions.size(), "a colour is a position's");
+    for (std::size_t i = 0, before = 1; i < corners; ++i) {
+        const int line = line_of_corner(chunk, i);
+        require(line >= int(before) && line <= chunk.lines, "faces stand in the order of their lines");
+        before = std::size_t(line);
+    }
 }
 
 void check_polygon(const std::vector<vec3>& corners) {
@@ -27,13 +44,14 @@ void check_polygon(const std::vector<vec3>& corners) {
             require(corner >= 0 && std::size_t(corner) < corners.size(), "triangles are made of the corners");
 }
 
-/// The positions of a face; empty if one is missing.
+/// The positions of a face; empty if one is missing, or too far out for a float.
 std::vector<vec3> corners_of(const ParsedChunk& parsed, std::size_t first, std::size_t size) {
     std::vector<vec3> corners;
     for (std::size_t i = first; i < first + size; ++i) {
         const int position = parsed.corners[i].position;
         if (position < 0 || std::size_t(position) >= parsed.positions.size()) return {};
         corners.push_back(vec3(parsed.positions[std::size_t(position)]));
+        if (!is_finite(corners.back())) return {};
     }
     return corners;
 }
@@ -41,35 +59,39 @@ std::vector<vec3> corners_of(const ParsedChunk& parsed, std::size_t first, std::
 } // namespace
 
 void run_obj_text(std::string_view bytes) {
+    if (bytes.empty()) return;
     std::string text(bytes);
     blank_byte_order_mark(text);
     unify_line_ends(text);
     require(text.size() == bytes.size() && text.find('\r') == std::string::npos, "line ends are of one kind");
-    const ChunkScan scan = scan_chunk(text, true);
-    require(text.size() == bytes.size(), "a text keeps its length");
-    if (scan.fault) return;
-    const ParsedChunk parsed = parse_chunk("m.obj", text, scan);
-    check_counts(parsed, scan);
+    const std::string before = text;
+    const ParsedChunk chunk = parse_chunk(text, true);
+    require(text.size() == before.size(), "a text keeps its length");
+    if (chunk.fault) return require(chunk.fault->line == chunk.lines + 1, "reading ends at a fault");
+    check_chunk(chunk, before);
     std::size_t first = 0;
-    for (const std::size_t size : parsed.face_sizes) {
-        const std::vector<vec3> corners = corners_of(parsed, first, size);
+    for (const std::size_t size : chunk.face_sizes) {
+        const std::vector<vec3> corners = corners_of(chunk, first, size);
         if (corners.size() >= 3) check_polygon(corners);
         first += size;
     }
 }
 
-/// A word that counts as a number is read as strtod reads it.
+/// A word that counts as a number is read as strtod reads it, bit for bit.
 void run_numbers(std::string_view bytes) {
-    constexpr std::string_view ends_words{" \t\n\r\\#\0", 7};
+    constexpr std::string_view ends_words{" \t\n\0", 4};
     if (bytes.size() > 60 || bytes.find_first_of(ends_words) != std::string_view::npos) return;
-    if (!number_fault(bytes).empty()) return;
-    std::string text = "v " + std::string(bytes) + " 0 0\n";
-    const ChunkScan scan = scan_chunk(text, true);
-    require(!scan.fault, "a number is accepted where it stands in a line");
-    const double expected = std::strtod(std::string(bytes).c_str(), nullptr);
-    const double read = parse_chunk("m.obj", text, scan).positions.at(0).x;
-    require(std::isfinite(read), "a number is finite");
-    require(std::abs(read - expected) <= 1e-6 * std::abs(expected) + 1e-38, "a number is what strtod reads");
+    const std::string word(bytes);
+    double read = 0;
+    const char* const stop = read_number(word.c_str(), word.c_str() + word.size(), read);
+    require((stop != nullptr) == number_fault(word, double_exponent).empty(),
+            "a number is read or has a fault");
+    if (!stop) return;
+    const double expected = std::strtod(word.c_str(), nullptr);
+    require(stop == word.c_str() + word.size() && std::isfinite(read),
+            "a number is finite, and ends with its word");
+    require(read == expected && std::signbit(read) == std::signbit(expected),
+            "a number is what strtod reads");
 }
 
 } // namespace rt::fuzz

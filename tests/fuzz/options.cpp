@@ -4,6 +4,7 @@
 #include "tests/fuzz/fuzz.h"
 #include "tools/tutor/exercises.h"
 
+#include <cmath>
 #include <iostream>
 
 namespace rt::fuzz {
@@ -41,7 +42,7 @@ void run_options(std::string_view bytes) {
     Options options("prog", "What is this?", {.width = 64, .height = 40, .samples = 4});
     const float& ior = options.knob("ior", 1.5f, 1.0f, 2.5f, "index of refraction");
     const int& depth = options.knob("depth", 6, 0, 24, "bounces");
-    const vec3& from = options.knob("from", vec3(1, 2, 3), "the eye");
+    const dvec3& from = options.knob("from", vec3(1, 2, 3), "the eye");
     options.file("mesh", "a model");
     options.flag("bare", "no floor");
     const Choice<Accel> accel = options.choice("accel", {"brute", "bvh", "wide"}, Accel::bvh, "the tree");
@@ -50,7 +51,7 @@ void run_options(std::string_view bytes) {
     if (!refusal([&] { goes_on = options.parse(int(words.size()), words.data()); }).empty() || !goes_on)
         return;
     require(ior >= 1 && ior <= 2.5f && depth >= 0 && depth <= 24, "knobs are in their ranges");
-    require(is_finite(from), "a point is finite");
+    for (int i = 0; i < 3; ++i) require(std::isfinite(from[i]), "a point is finite");
     require(int(Accel(accel)) >= 0 && int(Accel(accel)) < 3, "a choice is one of the names");
     check_picture(options.picture());
 }

@@ -1,26 +1,13 @@
-// Pictures: PNG (and JPEG where it is read) from a file, and Radiance's .hdr in memory.
+// Pictures: those that stb_image and libjpeg decode, from a file, and Radiance's .hdr in memory.
 #include "common/file_bytes.h"
 #include "common/hdr_format.h"
 #include "common/image_file.h"
+#include "common/obj/mask.h"
 #include "tests/fuzz/fuzz.h"
-
-#define STBI_NO_STDIO
-#include <stb_image.h>
-
-#include <cmath>
-#include <cstdint>
 
 namespace rt::fuzz {
 
 namespace {
-
-/// A picture of many pixels takes seconds under sanitizers, and shows nothing that a small one does not.
-bool is_large(std::string_view bytes) {
-    int width = 0, height = 0, channels = 0;
-    const auto* first = reinterpret_cast<const stbi_uc*>(bytes.data());
-    return stbi_info_from_memory(first, int(bytes.size()), &width, &height, &channels) != 0 &&
-           std::int64_t(width) * height > 1 << 20 && size_problem(width, height).empty();
-}
 
 /// Fills the part of the stack that the next call uses: memory that a decoder reads before it writes shows.
 [[gnu::noinline]] void fill_stack(unsigned char value) {
@@ -28,11 +15,25 @@ bool is_large(std::string_view bytes) {
     for (volatile unsigned char& byte : bytes) byte = value;
 }
 
+/// Empty if it is refused, or has so many pixels that they take seconds and show nothing that fewer do not.
 Bitmap decoded(const std::string& path, unsigned char stack) {
+    constexpr std::int64_t most = 1 << 20;
     Bitmap bitmap;
     fill_stack(stack);
-    refusal([&] { bitmap = read_bitmap(path); });
+    refusal([&] { bitmap = read_bitmap(path, most); });
     return bitmap;
+}
+
+void check_bitmap(const Bitmap& bitmap, std::size_t pixels) {
+    require(bitmap.values.size() == 3 * pixels, "a bitmap has three values for each pixel");
+    require(bitmap.opacity.empty() || bitmap.opacity.size() == pixels,
+            "each pixel has an opacity, or none has");
+    require(bitmap.flaw.find('\n') == std::string::npos, "a flaw is one line");
+    const Mask mask = mask_of(bitmap);
+    require(mask.opacity.size() == std::size_t(mask.width) * std::size_t(mask.height), "a mask is whole");
+    Bitmap filled = bitmap;
+    fill_hidden_colours(filled);
+    require(filled.values.size() == bitmap.values.size(), "hidden colours are filled in place");
 }
 
 /// The bytes of the PNG that holds what the picture in `path` shows.
@@ -41,18 +42,25 @@ std::string written_again(const std::string& path, const std::string& name) {
     return read_file(folder() + "/" + name);
 }
 
-} // namespace
-
-void run_picture(std::string_view bytes) {
-    if (is_large(bytes)) return;
-    const std::string path = write_input("picture.png", bytes);
+/// The name of a file says what is in it only for TGA.
+void check_picture(const std::string& path) {
     const Bitmap bitmap = decoded(path, 0x55);
     require(decoded(path, 0xaa).values == bitmap.values, "a picture depends on its bytes alone");
     const std::size_t pixels = std::size_t(bitmap.width) * std::size_t(bitmap.height);
-    require(bitmap.values.size() == 3 * pixels, "a bitmap has three values for each pixel");
-    if (pixels == 0 || pixels > 1024) return;
+    check_bitmap(bitmap, pixels);
+    if (pixels == 0 || pixels > 1024 || !bitmap.flaw.empty()) return;
     const std::string once = written_again(path, "once.png");
     require(written_again(folder() + "/once.png", "twice.png") == once, "a PNG is written as it was read");
+}
+
+} // namespace
+
+void run_picture(std::string_view bytes) {
+    check_picture(write_input("picture.png", bytes));
+}
+
+void run_tga(std::string_view bytes) {
+    check_picture(write_input("picture.tga", bytes));
 }
 
 void run_hdr(std::string_view bytes) {

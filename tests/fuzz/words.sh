@@ -16,7 +16,7 @@ refuses() { # $1: what the line says; the rest: the words
     fi
 }
 
-refuses "the targets are catalogue hdr" bitmaps
+refuses "the targets are bmp catalogue" bitmaps
 refuses "there is no target '..'" ..
 refuses "takes one target" obj hdr
 refuses "does not know '--fast'" --fast
@@ -30,7 +30,7 @@ trap 'rm -rf "$PATH_WITHOUT"' EXIT
 printf '#!/bin/sh\nexit 1\n' >"$PATH_WITHOUT/clang++"
 chmod +x "$PATH_WITHOUT/clang++"
 PATH=$PATH_WITHOUT:$PATH refuses "fuzz needs clang++ and its libFuzzer" hdr
-"$learn" fuzz --help | grep -q "^targets: catalogue hdr" || {
+"$learn" fuzz --help | grep -q "^targets: bmp catalogue" || {
     echo "./learn fuzz --help does not name the targets"
     bad=1
 }
