@@ -119,9 +119,11 @@ inline std::optional<TriangleHit> meeting(const std::array<vec3, 3>& corners, co
     const dvec3 a(corners[0]), direction(ray.direction);
     const dvec3 edge_b = dvec3(corners[1]) - a, edge_c = dvec3(corners[2]) - a;
     const dvec3 p = cross(direction, edge_c), from_a = dvec3(ray.origin) - a, q = cross(from_a, edge_b);
-    const double inverse =
-        1 / dot(edge_b, p); // without end if the triangle is seen edge-on: no t is contained
-    double t = dot(edge_c, q) * inverse;
+    const double determinant = dot(edge_b, p), numerator = dot(edge_c, q);
+    if (numerator * determinant <= 0)
+        return std::nullopt; // behind the ray, as the triangle that it starts from
+    const double inverse = 1 / determinant;
+    double t = numerator * inverse;
     if (!contains(ray, float(t))) return std::nullopt;
     double u = dot(from_a, p) * inverse, v = dot(direction, q) * inverse;
     if (!(u >= 0 && v >= 0 && u + v <= 1)) [[unlikely]] {

@@ -157,6 +157,10 @@ void nearest(const WideBvh<Block>& bvh, const Ray& ray, Leaf&& leaf) {
     if (bvh.lines.empty()) return;
     const WideRay wide = wide_ray(ray);
     const auto narrow = Block::prepare(ray);
+    // A function of its own, so that it does not take the registers of the search.
+    const auto test_all = [&](const Block& block, unsigned maybe) __attribute__((noinline)) {
+        while (maybe != 0) leaf(block, next_lane(maybe));
+    };
     std::array<Waiting, (lanes - 1) * wide_depth> stack; // a node leaves all children but one behind
     Waiting* top = stack.data();
     std::uint32_t child = bvh.root;
@@ -164,8 +168,8 @@ void nearest(const WideBvh<Block>& bvh, const Ray& ray, Leaf&& leaf) {
         if (descend(bvh, wide, row(ray.t_max), top, child)) {
             const Block& block = block_at(bvh, child);
             tally.triangle_tests += lanes;
-            for (unsigned maybe = candidates(block, narrow, ray.t_min, ray.t_max).maybe; maybe != 0;)
-                leaf(block, next_lane(maybe));
+            if (const unsigned maybe = candidates(block, narrow, ray.t_min, ray.t_max).maybe; maybe != 0)
+                test_all(block, maybe);
         }
         do {
             if (top == stack.data()) return;
@@ -186,6 +190,12 @@ bool any_hit(const WideBvh<Block>& bvh, const Ray& ray, Leaf&& leaf) {
     if (bvh.lines.empty()) return false;
     const WideRay wide = wide_ray(ray);
     const auto narrow = Block::prepare(ray);
+    // As above.
+    const auto test_any = [&](const Block& block, unsigned maybe) __attribute__((noinline)) {
+        while (maybe != 0)
+            if (leaf(block, next_lane(maybe))) return true;
+        return false;
+    };
     const Row t_max = row(ray.t_max);
     std::array<Lanes, wide_depth> stack;
     Lanes* top = stack.data();
@@ -196,10 +206,7 @@ bool any_hit(const WideBvh<Block>& bvh, const Ray& ray, Leaf&& leaf) {
             tally.triangle_tests += lanes;
             const Candidates found = candidates(block, narrow, ray.t_min, ray.t_max);
             if (found.certain != 0) return true;
-            if (found.maybe != 0) [[unlikely]] {
-                for (unsigned maybe = found.maybe; maybe != 0;)
-                    if (leaf(block, next_lane(maybe))) return true;
-            }
+            if (found.maybe != 0 && test_any(block, found.maybe)) return true;
         } else {
             tally.box_tests += lanes;
             Row t;
