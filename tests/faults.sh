@@ -13,7 +13,8 @@ fi
 bin=$(cd -- "$1" >/dev/null && pwd -P) || exit 2
 mkdir -p "$2" && cd -- "$2" >/dev/null || exit 2
 scratch=$(mktemp -d "$(pwd -P)/faults.XXXXXX") && cd -- "$scratch" || exit 2
-trap 'cd /; rm -rf "$scratch"' EXIT
+owner=$BASHPID # a child that a signal reaches before it becomes the program runs this trap too
+trap '[ "$BASHPID" != "$owner" ] || { cd /; rm -rf "$scratch"; }' EXIT
 chmod 755 "$scratch"
 mkdir tmp home
 export TMPDIR=$scratch/tmp HOME=$scratch/home
