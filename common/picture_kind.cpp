@@ -100,13 +100,16 @@ std::string mended_png(std::string_view bytes) {
 std::string mended_bmp(std::string_view bytes, int width, int height) {
     const std::size_t offset = little_endian_32(bytes, 10), header = little_endian_32(bytes, 14);
     const bool is_old = header == 12;
+    if (offset < 14 + header) throw Error("is damaged (its pixels begin inside its header)");
+    if (!is_old && little_endian_32(bytes, 30) > 3) // stb takes the half of them below zero for plain rows
+        throw Error("packs its pixels in an unusual way; save it as PNG again");
     const std::size_t bits = little_endian_16(bytes, is_old ? 24 : 28);
     const std::size_t row = (std::size_t(width) * bits + 31) / 32 * 4;
     const std::size_t last_row = (std::size_t(width) * bits + 7) / 8; // perhaps without padding
     if (offset > bytes.size() || bytes.size() - offset < row * std::size_t(height - 1) + last_row)
         throw cut_short();
     const std::size_t palette = 14 + header, entry = is_old ? 3 : 4;
-    if (bits > 8 || palette > offset) return std::string(bytes);
+    if (bits > 8) return std::string(bytes);
     const std::size_t length = std::min(offset - palette, most_colours * entry);
     // stb takes the old kind's header to be 12 bytes longer than it is, and skips them behind the palette.
     const std::size_t gap = is_old ? 12 : 0;
@@ -118,7 +121,9 @@ std::string mended_bmp(std::string_view bytes, int width, int height) {
 
 void check_tga(std::string_view bytes, int width, int height) {
     const auto bytes_of = [&](std::size_t at) { return (byte(bytes, at) + 7) / 8; }; // which states bits
-    const std::size_t pixel = bytes_of(16);
+    const std::size_t pixel = bytes_of(16), first_colour = little_endian_16(bytes, 3);
+    if (byte(bytes, 1) == 1 && first_colour > 0) // stb takes it for a number of bytes to skip
+        throw Error("numbers its colours from " + std::to_string(first_colour) + "; save it as PNG again");
     std::size_t at = 18 + byte(bytes, 0) + little_endian_16(bytes, 5) * bytes_of(7);
     std::size_t left = std::size_t(width) * std::size_t(height);
     if (byte(bytes, 2) < 8) { // not in runs

@@ -16,10 +16,10 @@ PictureKind picture_kind(const std::string& path, std::string_view bytes);
 /// without a byte. Throws Error if it is cut short, or states a size that its data cannot fill.
 std::string mended_png(std::string_view bytes);
 
-/// The same of a BMP.
+/// The same of a BMP. Throws Error also if its pixels begin inside its header: stb would read no palette.
 std::string mended_bmp(std::string_view bytes, int width, int height);
 
-/// Throws Error if a TGA of this size is cut short.
+/// Throws Error if a TGA of this size is cut short, or if its palette does not begin with colour 0.
 void check_tga(std::string_view bytes, int width, int height);
 
 /// True if a JPEG is cut short: no end is marked behind its last scan.

@@ -260,6 +260,24 @@ TEST_CASE("a BMP is read, from the bottom or the top; a colour beyond its palett
     CHECK_ERROR(error_of_reading(folder, "odd.bmp", bmp(1, least, 24, "", rows)), "odd.bmp");
 }
 
+TEST_CASE("a BMP whose pixels begin inside its header, or are packed, is refused") {
+    const Folder folder;
+    const auto changed = [](std::string bytes, std::size_t at, std::uint32_t value) {
+        return bytes.replace(at, 4, little_endian(value, 4));
+    };
+    for (const int bits : {1, 4, 8, 24}) {
+        const std::string whole = bmp(1, 1, bits, "", std::string(1100, '\1'));
+        for (const std::uint32_t offset : {0u, 3u, 53u})
+            CHECK_ERROR(error_of_reading(folder, "in.bmp", changed(whole, 10, offset)), "in.bmp",
+                        "inside its header");
+        CHECK_ERROR(error_of_reading(folder, "odd.bmp", changed(whole, 30, 0x80000000)), "odd.bmp");
+    }
+    const std::string old = "BM" + little_endian(0, 8) + little_endian(25, 4) + little_endian(12, 4) +
+                            little_endian(1, 2) + little_endian(1, 2) + little_endian(1, 2) +
+                            little_endian(8, 2) + std::string(9, '\1');
+    CHECK_ERROR(error_of_reading(folder, "old.bmp", old), "old.bmp", "inside its header");
+}
+
 TEST_CASE("a TGA is read, with runs or without, and named if it is cut short") {
     const Folder folder;
     const std::string plain = tga(2, 2, 1, 24, "\x30\x20\x10\x60\x50\x40");
@@ -276,6 +294,9 @@ TEST_CASE("a TGA is read, with runs or without, and named if it is cut short") {
         CHECK_ERROR(error_of_reading(folder, "cut.tga", cut), "cut.tga", "cut short");
     }
     CHECK_ERROR(error_of_reading(folder, "vast.tga", tga(10, 9000, 9000, 24, "\xff\1\2\3")), "cut short");
+    std::string indexed = tga(1, 1, 1, 8, std::string(9, '\1'));
+    indexed.replace(1, 7, std::string("\1\1\2\0\2\0\x18", 7)); // two colours of 24 bits, from number 2 on
+    CHECK_ERROR(error_of_reading(folder, "from.tga", indexed), "from.tga", "colours from 2");
 }
 
 TEST_CASE("what is no picture is refused in the words of what is read") {
