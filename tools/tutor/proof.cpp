@@ -157,8 +157,9 @@ std::string build_checks(const Toolchain& tools, const Change& change, const std
     auto link = compile_command(tools, scratch);
     link.push_back(object.string());
     std::ranges::copy(objects, std::back_inserter(link));
-    for (const std::string& word :
-         {tools.test_main, tools.library, std::string("-pthread"), std::string("-o"), program.string()})
+    link.push_back(tools.test_main);
+    std::ranges::copy(tools.libraries, std::back_inserter(link));
+    for (const std::string& word : {std::string("-pthread"), std::string("-o"), program.string()})
         link.push_back(word);
     return run_process(link, log).code != 0 ? complaint_in(log) : "";
 }
@@ -215,7 +216,7 @@ Toolchain read_toolchain(const fs::path& root, const fs::path& build) {
                     .compiler = {},
                     .flags = {},
                     .test_main = {},
-                    .library = {},
+                    .libraries = {},
                     .fixed = {}};
     const fs::path path = build / "prove" / "toolchain.txt";
     if (!fs::exists(path))
@@ -228,10 +229,12 @@ Toolchain read_toolchain(const fs::path& root, const fs::path& build) {
         if (key == "compiler") tools.compiler = value;
         if (key == "flag") tools.flags.push_back(value);
         if (key == "test_main") tools.test_main = value;
-        if (key == "library") tools.library = value;
+        if (key == "library") tools.libraries.push_back(value);
         hash.add(line);
     }
-    for (const std::string& object : {tools.test_main, tools.library})
+    std::vector<std::string> objects = tools.libraries;
+    objects.push_back(tools.test_main);
+    for (const std::string& object : objects)
         if (!fs::exists(object)) throw Error(object + " is not built: ./learn prove builds it");
     hash.add(read_file((root / "tests/main.cpp").string()));
     tools.fixed = hash.text();
@@ -283,8 +286,8 @@ bool render_picture(const Toolchain& tools, const Change& change, const fs::path
           (tools.root / source).string()})
         command.push_back(word);
     std::ranges::copy(objects, std::back_inserter(command));
-    for (const std::string& word :
-         {tools.library, std::string("-pthread"), std::string("-o"), program.string()})
+    std::ranges::copy(tools.libraries, std::back_inserter(command));
+    for (const std::string& word : {std::string("-pthread"), std::string("-o"), program.string()})
         command.push_back(word);
     if (complaint.empty() && run_process(command, log).code != 0) complaint = complaint_in(log);
     if (!complaint.empty()) throw Error(change.step + " does not compile: " + complaint);

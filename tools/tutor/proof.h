@@ -17,8 +17,9 @@ struct Toolchain {
     std::filesystem::path work; ///< where everything that is made goes
     std::string compiler;
     std::vector<std::string> flags;
-    std::string test_main, library; ///< objects that no change touches
-    std::string fixed;              ///< a hash of all of these
+    std::string test_main;              ///< the object of doctest's own code
+    std::vector<std::string> libraries; ///< the common library, and those that it needs
+    std::string fixed;                  ///< a hash of all of these
 };
 
 /// Throws Error if it is not there.
