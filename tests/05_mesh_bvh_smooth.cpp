@@ -25,7 +25,8 @@ vec3 asked_normal(const ObjFile& file, std::size_t triangle, std::size_t corner,
     dvec3 sum(0);
     for (const auto& t : file.triangles) {
         const dvec3 other = area_of(file, t);
-        const bool near = dot(own, other) >= double(std::cos(glm::radians(crease))) * length(own) * length(other);
+        const bool near =
+            dot(own, other) >= double(std::cos(glm::radians(crease))) * length(own) * length(other);
         for (const ObjCorner& c : t)
             if (near && position_of(file, c) == here) sum += other;
     }

@@ -171,7 +171,8 @@ TEST_CASE("a value may be negative, and may follow an equals sign") {
     CHECK(dotted.from == rt::dvec3(-0.5, 0.25, 1));
     Program far;
     CHECK(far.parse({"--from", "500000.125,4649776.22,12.5"}));
-    CHECK_MESSAGE(far.from == rt::dvec3(500000.125, 4649776.22, 12.5), "no digit is lost: float has 7, these have 9");
+    CHECK_MESSAGE(far.from == rt::dvec3(500000.125, 4649776.22, 12.5),
+                  "no digit is lost: float has 7, these have 9");
     CHECK(dotted.depth == 6);
 }
 

@@ -20,8 +20,7 @@ BuildLock::BuildLock(const fs::path& build) {
     if (folder < 0) return;
     for (int tries = 0; flock(folder, LOCK_EX | LOCK_NB) != 0; ++tries) {
         if (errno != EWOULDBLOCK && errno != EINTR) return;
-        if (tries == 20)
-            print_error_line("another ./learn is building in this folder; waiting for it ...");
+        if (tries == 20) print_error_line("another ./learn is building in this folder; waiting for it ...");
         std::this_thread::sleep_for(std::chrono::milliseconds(50));
     }
 }
