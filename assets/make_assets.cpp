@@ -5,7 +5,7 @@
 #include "assets/obj_writer.h"
 #include "assets/teapot.h"
 #include "assets/test_card.h"
-#include "common/complain.h"
+#include "common/util/complain.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,7 +1,7 @@
 // A file that appears whole or not at all: written under a temporary name, then renamed.
 #pragma once
 
-#include "common/error.h"
+#include "common/util/error.h"
 
 #include <cstdio>
 #include <string>

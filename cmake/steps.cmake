@@ -1,4 +1,4 @@
-# add_step(01_spheres): the program of a step, its checks (an executable each of tests/01_spheres*.cpp; those called
+# add_step(01_spheres): the program of a step, its checks (an executable each of tests/01_spheres/*.cpp; those called
 # ..._statistics are slow) and its reference picture.
 # add_checks(test_common common "labels" sources...): a doctest executable, one ctest a test case, named "common: ...".
 # A check that cannot be made on a machine prints "[skipped]" and why.
@@ -137,19 +137,19 @@ function(add_step name)
     # Ninja compiles in the order in which targets stand here, and a learner waits for the checks first.
     add_custom_target(checks_${name})
     # An executable a file, so that a learner waits for the checks of what was saved alone.
-    file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${name}*.cpp)
+    file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${name}/*.cpp)
     foreach(source IN LISTS sources)
         get_filename_component(stem ${source} NAME_WE)
         set(labels ${number} ${name})
-        if(stem MATCHES "_statistics$")
+        if(stem MATCHES "statistics$")
             if(RAYSTEPS_SANITIZE)
                 continue() # slow, and no other code than that of the other checks
             endif()
             list(APPEND labels statistics)
         endif()
-        add_checks(test_${stem} ${name} "${labels}" ${source})
-        if(TARGET test_${stem})
-            add_dependencies(checks_${name} test_${stem})
+        add_checks(test_${name}_${stem} ${name} "${labels}" ${source})
+        if(TARGET test_${name}_${stem})
+            add_dependencies(checks_${name} test_${name}_${stem})
         endif()
     endforeach()
 

@@ -1,19 +1,19 @@
 // What most programs and checks include and no learner changes: parsed once for all of them.
 #pragma once
 
-#include "common/big_vector.h"
-#include "common/error.h"
-#include "common/image_file.h"
-#include "common/match.h"
-#include "common/obj_file.h"
-#include "common/options.h"
-#include "common/parallel.h"
-#include "common/paths.h"
-#include "common/random.h"
-#include "common/render.h"
-#include "common/row.h"
-#include "common/tally.h"
-#include "common/vec.h"
+#include "common/util/big_vector.h"
+#include "common/util/error.h"
+#include "common/image/image_file.h"
+#include "common/util/match.h"
+#include "common/model/obj_file.h"
+#include "common/cli/options.h"
+#include "common/util/parallel.h"
+#include "common/util/paths.h"
+#include "common/math/random.h"
+#include "common/render/render.h"
+#include "common/math/row.h"
+#include "common/util/tally.h"
+#include "common/math/vec.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 // sure.
 #pragma once
 
-#include "common/vec.h"
+#include "common/math/vec.h"
 
 #include <doctest/doctest.h>
 

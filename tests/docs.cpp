@@ -1,5 +1,5 @@
 // The machine that keeps the chapters true: it finds what a marker names, and complains if it cannot.
-#include "common/error.h"
+#include "common/util/error.h"
 #include "tests/check.h"
 #include "tools/tutor/exercises.h"
 #include "tools/tutor/temporary.h"

@@ -30,6 +30,15 @@ guard_common() {
     includes common | grep '"' | grep -v ':"common/' | report "common includes nothing but common"
 }
 
+# 2b: no two rooms of common include each other: each includes only rooms to its left.
+guard_rooms() {
+    includes common | awk -F'"' '
+        BEGIN { split("util math image model render cli", names, " "); for (i in names) level[names[i]] = i }
+        { split($1, from, "/"); split($2, to, "/") }
+        $2 !~ /^common\/.*\// || !(from[2] in level) || from[2] == to[2] || level[to[2]] < level[from[2]] { next }
+        { print }' | report "a room of common includes only those before it: util math image model render cli"
+}
+
 # 3: steps are pure computation.
 guard_pure() {
     local forbidden="thread|jthread|stop_token|atomic|mutex|shared_mutex|condition_variable|future|semaphore|latch|barrier"
@@ -67,20 +76,20 @@ guard_opening() {
     find "${existing[@]}" -type f -name '*.h' -exec grep -L '^#pragma once' {} + | report "a header says #pragma once"
 }
 
-# 6: nothing reaches a terminal but through common/complain.h.
+# 6: nothing reaches a terminal but through common/util/complain.h.
 guard_printable() {
     local program
     for program in common assets tools; do
         [ -d "$program" ] && grep -rnE --include='*.h' --include='*.cpp' \
             'std::cerr|std::clog|std::fputs|fprintf *\( *stderr|"wrote "' "$program"
-    done | grep -v -e '^common/complain.cpp:' -e 'printable(' |
-        report "text goes to stderr, and names of files to stdout, through printable() of common/complain.h"
+    done | grep -v -e '^common/util/complain.cpp:' -e 'printable(' |
+        report "text goes to stderr, and names of files to stdout, through printable() of common/util/complain.h"
 }
 
 check() { # $1: the folder
     cd "$1" || exit 2
     local found
-    found=$(guard_order; guard_common; guard_pure; guard_rooted; guard_opening; guard_printable)
+    found=$(guard_order; guard_common; guard_rooms; guard_pure; guard_rooted; guard_opening; guard_printable)
     [ -z "$found" ] && return 0
     printf '%s\n' "$found"
     return 1
@@ -109,9 +118,9 @@ self_test() {
     local ok='// A planted file.\n#pragma once\n' header
     # A blameless file in each room is not reported, so that what is planted next is the only violation.
     mkdir -p "$copy/steps/03_mirror" "$copy/common" "$copy/tests" "$copy/assets" "$copy/tools"
-    printf '%b' "$ok#include \"01_spheres/ray.h\"\n#include \"03_mirror/b.h\"\n#include \"common/vec.h\"\n#include <cmath>\n#include <glm/glm.hpp>\n" \
+    printf '%b' "$ok#include \"01_spheres/ray.h\"\n#include \"03_mirror/b.h\"\n#include \"common/math/vec.h\"\n#include <cmath>\n#include <glm/glm.hpp>\n" \
         >"$copy/steps/03_mirror/a.h"
-    printf '%b' "$ok#include \"common/vec.h\"\n#include <thread>\n" >"$copy/common/a.h"
+    printf '%b' "$ok#include \"common/math/vec.h\"\n#include <thread>\n" >"$copy/common/a.h"
     printf '%b' "$ok#include \"03_mirror/a.h\"\n#include <doctest/doctest.h>\n" >"$copy/tests/a.h"
     local blameless
     blameless=$(check "$copy") || { echo "WRONGLY REPORTED: $blameless"; missed=1; }
@@ -121,7 +130,9 @@ self_test() {
     plant "$order" steps/03_mirror/main.cpp "// A planted file.\n  #  include \"08_indirect/bounce.h\"\n"
     plant "$order" steps/03_mirror/other.h "$ok#include \"assets/mesh.h\"\n"
     plant "common includes nothing but common" common/step.h "$ok#include \"01_spheres/ray.h\"\n"
-    plant "common includes nothing but common" common/compare/tests.cpp "// A planted file.\n#include \"tests/check.h\"\n"
+    plant "common includes nothing but common" common/image/tests.cpp "// A planted file.\n#include \"tests/check.h\"\n"
+    plant "a room of common includes only" common/render/knob.h "$ok#include \"common/cli/options.h\"\n"
+    plant "a room of common includes only" common/util/up.h "$ok#include \"common/image/image.h\"\n"
     for header in thread atomic mutex fstream iostream sstream filesystem cstdio future; do
         plant "a step knows no threads" "steps/03_mirror/$header.h" "$ok#include <$header>\n"
     done
@@ -131,7 +142,7 @@ self_test() {
     plant "an include names its folder" steps/03_mirror/bare.h "$ok#include \"mirror.h\"\n"
     plant "an include names its folder" tests/bare.cpp "// A planted file.\n#include \"check.h\"\n"
     plant "an include names its folder" common/steps.h "$ok#include \"steps/03_mirror/mirror.h\"\n"
-    plant "no .. in it" tools/up.cpp "// A planted file.\n#include \"common/../common/vec.h\"\n"
+    plant "no .. in it" tools/up.cpp "// A planted file.\n#include \"common/../common/math/vec.h\"\n"
     plant "first line says what it is for" assets/silent.cpp "#include <cmath>\n"
     plant "first line says what it is for" common/empty.cpp ""
     plant "says #pragma once" common/twice.h "// A planted file.\nint x;\n"

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "05_mesh_bvh/box.h"
-#include "common/obj_file.h"
-#include "tests/05_mesh_bvh_rays.h"
+#include "common/model/obj_file.h"
+#include "tests/05_mesh_bvh/rays.h"
 
 #include <cmath>
 #include <map>

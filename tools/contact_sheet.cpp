@@ -1,7 +1,7 @@
 // contact_sheet OUT.png A.png B.png ...: many pictures on one sheet, each with its name under it.
-#include "common/complain.h"
-#include "common/error.h"
-#include "common/image_file.h"
+#include "common/util/complain.h"
+#include "common/util/error.h"
+#include "common/image/image_file.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // The background: a sky that a ray sees when it meets nothing, and the light that it sheds.
 #pragma once
 
-#include "common/vec.h"
+#include "common/math/vec.h"
 
 namespace rt {
 

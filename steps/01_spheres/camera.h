@@ -2,8 +2,8 @@
 #pragma once
 
 #include "01_spheres/ray.h"
-#include "common/error.h"
-#include "common/options.h"
+#include "common/util/error.h"
+#include "common/cli/options.h"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // Matte surfaces: chalk, paper, plaster. They look equally bright from everywhere.
 #pragma once
 
-#include "common/vec.h"
+#include "common/math/vec.h"
 
 #include <cmath>
 

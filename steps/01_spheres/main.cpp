@@ -3,7 +3,7 @@
 #include "01_spheres/radiance.h"
 #include "01_spheres/scene.h"
 #include "01_spheres/view.h"
-#include "common/program.h"
+#include "common/cli/program.h"
 
 using namespace rt;
 

@@ -4,7 +4,7 @@
 #include "01_spheres/background.h"
 #include "01_spheres/diffuse.h"
 #include "01_spheres/hit.h"
-#include "common/match.h"
+#include "common/util/match.h"
 
 namespace rt {
 

@@ -1,7 +1,7 @@
 // A ray: a half-line with the stretch of it that still matters.
 #pragma once
 
-#include "common/vec.h"
+#include "common/math/vec.h"
 
 namespace rt {
 

@@ -5,8 +5,8 @@
 #include "01_spheres/diffuse.h"
 #include "01_spheres/plane.h"
 #include "01_spheres/sphere.h"
-#include "common/match.h"
-#include "common/tally.h"
+#include "common/util/match.h"
+#include "common/util/tally.h"
 
 #include <variant>
 #include <vector>

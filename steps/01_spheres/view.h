@@ -3,9 +3,9 @@
 #pragma once
 
 #include "01_spheres/hit.h"
-#include "common/options.h"
-#include "common/random.h"
-#include "common/tally.h"
+#include "common/cli/options.h"
+#include "common/math/random.h"
+#include "common/util/tally.h"
 
 #include <cmath>
 

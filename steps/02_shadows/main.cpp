@@ -3,7 +3,7 @@
 #include "01_spheres/view.h"
 #include "02_shadows/radiance.h"
 #include "02_shadows/scene.h"
-#include "common/program.h"
+#include "common/cli/program.h"
 
 using namespace rt;
 

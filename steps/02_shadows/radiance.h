@@ -3,7 +3,7 @@
 #pragma once
 
 #include "02_shadows/light.h"
-#include "common/match.h"
+#include "common/util/match.h"
 
 namespace rt {
 

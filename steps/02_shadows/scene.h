@@ -6,8 +6,8 @@
 #include "01_spheres/plane.h"
 #include "01_spheres/sphere.h"
 #include "02_shadows/light.h"
-#include "common/match.h"
-#include "common/tally.h"
+#include "common/util/match.h"
+#include "common/util/tally.h"
 
 #include <algorithm>
 #include <variant>

@@ -3,7 +3,7 @@
 #include "01_spheres/view.h"
 #include "03_mirror/radiance.h"
 #include "03_mirror/scene.h"
-#include "common/program.h"
+#include "common/cli/program.h"
 
 using namespace rt;
 

@@ -3,7 +3,7 @@
 
 #include "02_shadows/light.h"
 #include "03_mirror/mirror.h"
-#include "common/match.h"
+#include "common/util/match.h"
 
 namespace rt {
 

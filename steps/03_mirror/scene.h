@@ -8,8 +8,8 @@
 #include "02_shadows/light.h"
 #include "03_mirror/mirror.h"
 #include "03_mirror/quad.h"
-#include "common/match.h"
-#include "common/tally.h"
+#include "common/util/match.h"
+#include "common/util/tally.h"
 
 #include <algorithm>
 #include <variant>

@@ -3,7 +3,7 @@
 #include "01_spheres/view.h"
 #include "04_refraction/radiance.h"
 #include "04_refraction/scene.h"
-#include "common/program.h"
+#include "common/cli/program.h"
 
 using namespace rt;
 

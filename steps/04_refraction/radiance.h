@@ -4,7 +4,7 @@
 #include "02_shadows/light.h"
 #include "03_mirror/mirror.h"
 #include "04_refraction/glass.h"
-#include "common/match.h"
+#include "common/util/match.h"
 
 namespace rt {
 

@@ -9,8 +9,8 @@
 #include "03_mirror/mirror.h"
 #include "03_mirror/quad.h"
 #include "04_refraction/glass.h"
-#include "common/match.h"
-#include "common/tally.h"
+#include "common/util/match.h"
+#include "common/util/tally.h"
 
 #include <algorithm>
 #include <variant>

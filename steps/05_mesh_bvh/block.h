@@ -3,7 +3,7 @@
 
 #include "01_spheres/sphere.h"
 #include "05_mesh_bvh/triangle.h"
-#include "common/row.h"
+#include "common/math/row.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "05_mesh_bvh/box.h"
-#include "common/tally.h"
+#include "common/util/tally.h"
 
 #include <algorithm>
 #include <array>

@@ -3,8 +3,8 @@
 #include "04_refraction/radiance.h"
 #include "05_mesh_bvh/scene.h"
 #include "05_mesh_bvh/stage.h"
-#include "common/paths.h"
-#include "common/program.h"
+#include "common/util/paths.h"
+#include "common/cli/program.h"
 
 using namespace rt;
 

@@ -6,7 +6,7 @@
 #include "05_mesh_bvh/box.h"
 #include "05_mesh_bvh/smooth.h"
 #include "05_mesh_bvh/triangle.h"
-#include "common/obj_file.h"
+#include "common/model/obj_file.h"
 
 #include <algorithm>
 #include <array>

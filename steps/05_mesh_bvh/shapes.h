@@ -8,9 +8,9 @@
 #include "05_mesh_bvh/bvh.h"
 #include "05_mesh_bvh/mesh.h"
 #include "05_mesh_bvh/wide_bvh.h"
-#include "common/match.h"
-#include "common/options.h"
-#include "common/tally.h"
+#include "common/util/match.h"
+#include "common/cli/options.h"
+#include "common/util/tally.h"
 
 #include <algorithm>
 #include <variant>

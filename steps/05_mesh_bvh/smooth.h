@@ -1,7 +1,7 @@
 // Normals for a file that gives none: faces that meet in a point, found by hashing, look round together.
 #pragma once
 
-#include "common/obj_file.h"
+#include "common/model/obj_file.h"
 
 #include <algorithm>
 #include <array>

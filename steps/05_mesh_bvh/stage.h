@@ -5,7 +5,7 @@
 #include "01_spheres/camera.h"
 #include "02_shadows/light.h"
 #include "05_mesh_bvh/mesh.h"
-#include "common/error.h"
+#include "common/util/error.h"
 
 #include <cmath>
 #include <string>

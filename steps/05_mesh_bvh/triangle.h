@@ -2,7 +2,7 @@
 #pragma once
 
 #include "01_spheres/ray.h"
-#include "common/tally.h"
+#include "common/util/tally.h"
 
 #include <optional>
 

@@ -4,7 +4,7 @@
 
 #include "05_mesh_bvh/wide_bvh.h"
 #include "05_mesh_bvh/wide_cut.h"
-#include "common/parallel.h"
+#include "common/util/parallel.h"
 
 #include <algorithm>
 #include <array>

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "05_mesh_bvh/block.h"
-#include "common/big_vector.h"
-#include "common/row.h"
-#include "common/tally.h"
+#include "common/util/big_vector.h"
+#include "common/math/row.h"
+#include "common/util/tally.h"
 
 #include <algorithm>
 #include <array>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "05_mesh_bvh/box.h"
-#include "common/parallel.h"
-#include "common/row.h"
+#include "common/util/parallel.h"
+#include "common/math/row.h"
 
 #include <algorithm>
 #include <array>

@@ -3,8 +3,8 @@
 #include "05_mesh_bvh/stage.h"
 #include "06_textures/radiance.h"
 #include "06_textures/scene.h"
-#include "common/paths.h"
-#include "common/program.h"
+#include "common/util/paths.h"
+#include "common/cli/program.h"
 
 using namespace rt;
 

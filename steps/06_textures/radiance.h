@@ -5,7 +5,7 @@
 #include "03_mirror/mirror.h"
 #include "04_refraction/glass.h"
 #include "06_textures/texture.h"
-#include "common/match.h"
+#include "common/util/match.h"
 
 namespace rt {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "01_spheres/diffuse.h"
-#include "common/image_file.h"
+#include "common/image/image_file.h"
 
 #include <cmath>
 #include <vector>

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "07_antialias/sampler.h"
-#include "common/render.h"
+#include "common/render/render.h"
 
 #include <cmath>
 

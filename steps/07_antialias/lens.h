@@ -4,7 +4,7 @@
 
 #include "01_spheres/camera.h"
 #include "07_antialias/sampler.h"
-#include "common/options.h"
+#include "common/cli/options.h"
 
 #include <cmath>
 

@@ -5,8 +5,8 @@
 #include "06_textures/scene.h"
 #include "07_antialias/filter.h"
 #include "07_antialias/lens.h"
-#include "common/paths.h"
-#include "common/program.h"
+#include "common/util/paths.h"
+#include "common/cli/program.h"
 
 using namespace rt;
 

@@ -1,7 +1,7 @@
 // Stratified samples: each in a cell of its own, the cells in an order of their own for every pixel.
 #pragma once
 
-#include "common/random.h"
+#include "common/math/random.h"
 
 #include <bit>
 #include <cmath>

@@ -4,9 +4,9 @@
 
 #include "07_antialias/sample.h"
 #include "07_antialias/sobol.h"
-#include "common/options.h"
-#include "common/random.h"
-#include "common/render.h"
+#include "common/cli/options.h"
+#include "common/math/random.h"
+#include "common/render/render.h"
 
 namespace rt {
 

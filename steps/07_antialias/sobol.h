@@ -1,7 +1,7 @@
 // Sobol points: so even that any 2^k of them, in order, put one into every box of area 2^-k.
 #pragma once
 
-#include "common/random.h"
+#include "common/math/random.h"
 
 namespace rt {
 

@@ -4,7 +4,7 @@
 
 #include "01_spheres/camera.h"
 #include "08_indirect/scene.h"
-#include "common/paths.h"
+#include "common/util/paths.h"
 
 namespace rt {
 

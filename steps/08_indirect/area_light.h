@@ -7,8 +7,8 @@
 #include "05_mesh_bvh/mesh.h"
 #include "06_textures/texture.h"
 #include "08_indirect/bounce.h"
-#include "common/image.h"
-#include "common/match.h"
+#include "common/image/image.h"
+#include "common/util/match.h"
 
 #include <algorithm>
 #include <limits>

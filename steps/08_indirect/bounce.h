@@ -1,8 +1,8 @@
 // Bounces: where light goes from a matte surface, by chance, and when a path may end.
 #pragma once
 
-#include "common/random.h"
-#include "common/vec.h"
+#include "common/math/random.h"
+#include "common/math/vec.h"
 
 #include <cmath>
 #include <optional>

@@ -9,7 +9,7 @@
 #include "08_indirect/room.h"
 #include "08_indirect/scene.h"
 #include "08_indirect/weekend.h"
-#include "common/program.h"
+#include "common/cli/program.h"
 
 using namespace rt;
 

@@ -8,7 +8,7 @@
 #include "08_indirect/area_light.h"
 #include "08_indirect/bounce.h"
 #include "08_indirect/metal.h"
-#include "common/match.h"
+#include "common/util/match.h"
 
 #include <variant>
 

@@ -3,8 +3,8 @@
 
 #include "01_spheres/camera.h"
 #include "08_indirect/scene.h"
-#include "common/obj_file.h"
-#include "common/paths.h"
+#include "common/model/obj_file.h"
+#include "common/util/paths.h"
 
 namespace rt {
 

@@ -6,8 +6,8 @@
 #include "01_spheres/camera.h"
 #include "07_antialias/lens.h"
 #include "08_indirect/scene.h"
-#include "common/random.h"
-#include "common/sphere_list.h"
+#include "common/math/random.h"
+#include "common/model/sphere_list.h"
 
 namespace rt {
 

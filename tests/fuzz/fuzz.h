@@ -2,7 +2,7 @@
 // promise of the code that it calls; all else that happens is a finding.
 #pragma once
 
-#include "common/error.h"
+#include "common/util/error.h"
 
 #include <span>
 #include <string>

@@ -1,5 +1,5 @@
 // JSON: the reader on any text, and both writers of texts, whose output it reads back.
-#include "common/json.h"
+#include "common/util/json.h"
 #include "tests/fuzz/fuzz.h"
 #include "tools/bench/json_reader.h"
 #include "tools/tutor/embed.h"

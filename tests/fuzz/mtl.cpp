@@ -1,5 +1,5 @@
 // An MTL file, named by a small OBJ file: every number of its materials is in its range.
-#include "common/obj_file.h"
+#include "common/model/obj_file.h"
 #include "tests/fuzz/fuzz.h"
 
 #include <cmath>

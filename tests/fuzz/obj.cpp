@@ -1,5 +1,5 @@
 // An OBJ file through the whole reader: all that ObjFile promises, and the same result however the work is divided.
-#include "common/obj_file.h"
+#include "common/model/obj_file.h"
 #include "tests/fuzz/fuzz.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // The text of an OBJ file in memory: what parse_chunk() reads fits together, polygons are cut, numbers are exact.
-#include "common/obj/parse.h"
-#include "common/obj/polygon.h"
-#include "common/obj/scan.h"
+#include "common/model/obj/parse.h"
+#include "common/model/obj/polygon.h"
+#include "common/util/text.h"
 #include "tests/fuzz/fuzz.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // A command line, a word per line: what parse() accepts is in the ranges that were declared.
-#include "common/image_file.h"
-#include "common/options.h"
+#include "common/image/image_file.h"
+#include "common/cli/options.h"
 #include "tests/fuzz/fuzz.h"
 #include "tools/tutor/exercises.h"
 
@@ -21,7 +21,7 @@ struct Silence {
     Silence& operator=(const Silence&) = delete;
 };
 
-void check_picture(const Picture& picture) {
+void check_picture(const RenderSettings& picture) {
     require(picture.width >= 1 && picture.width <= largest_side, "the width is in range");
     require(picture.height >= 1 && picture.height <= largest_side, "the height is in range");
     require(picture.samples >= 1 && picture.threads >= 0, "there are samples and threads");

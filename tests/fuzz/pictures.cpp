@@ -1,8 +1,8 @@
 // Pictures: those that stb_image and libjpeg decode, from a file, and Radiance's .hdr in memory.
-#include "common/file_bytes.h"
-#include "common/hdr_format.h"
-#include "common/image_file.h"
-#include "common/obj/mask.h"
+#include "common/util/file_bytes.h"
+#include "common/image/hdr_format.h"
+#include "common/image/image_file.h"
+#include "common/model/obj/mask.h"
 #include "tests/fuzz/fuzz.h"
 
 namespace rt::fuzz {

@@ -1,5 +1,5 @@
 // A list of spheres: every number is in its range.
-#include "common/sphere_list.h"
+#include "common/model/sphere_list.h"
 #include "tests/fuzz/fuzz.h"
 
 #include <cmath>

@@ -71,7 +71,7 @@ void run_catalogue(std::string_view bytes) {
     const std::string text(bytes.substr(0, mark));
     const std::string header(bytes.substr(std::min(mark + 4, bytes.size())));
     std::vector<Mistake> mistakes;
-    refusal([&] { mistakes = parse_catalogue(text, "mistakes/03_mirror.md"); });
+    refusal([&] { mistakes = parse_catalogue(text, "exercises/03_mirror/mistakes.md"); });
     for (const Mistake& mistake : mistakes) refusal([&] { with_mistake(mistake, header); });
 }
 
@@ -81,8 +81,8 @@ void run_tutor(std::string_view bytes) {
     refusal([&, &what = first, &read = text] {
         switch (what.empty() ? ' ' : what[0]) {
         case 'r': return check_results(read);
-        case 'h': return void(parse_hints(read, "hints/03_mirror.md"));
-        case 's': return void(parse_signatures(read, "mistakes/03_mirror.signatures"));
+        case 'h': return void(parse_hints(read, "exercises/03_mirror/hints.md"));
+        case 's': return void(parse_signatures(read, "exercises/03_mirror/signatures.txt"));
         case 'e': return check_exercises(read);
         case 'd': return check_diff(read, what.size() - 1); // a further letter for each line
         case 'c': return void(first_error(read, "workshop/"));

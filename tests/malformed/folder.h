@@ -2,7 +2,7 @@
 // them.
 #pragma once
 
-#include "common/error.h"
+#include "common/util/error.h"
 
 #include <doctest/doctest.h>
 

@@ -1,7 +1,7 @@
 // The catalogue of mistakes: what is wrong in a file of it is said with file and line, and what is right can be made.
 #include "tests/tutor/folder.h"
 
-#include "common/error.h"
+#include "common/util/error.h"
 #include "tools/tutor/catalogue.h"
 
 #include <doctest/doctest.h>
@@ -41,7 +41,7 @@ std::string complaint(const std::string& part, const std::string& instead) {
     std::string text = good;
     text.replace(text.find(part), part.size(), instead);
     try {
-        for (const Mistake& mistake : parse_catalogue(text, "mistakes/01_one.md"))
+        for (const Mistake& mistake : parse_catalogue(text, "exercises/01_one/mistakes.md"))
             with_mistake(mistake, header);
     } catch (const Error& error) {
         return error.what();
@@ -52,7 +52,7 @@ std::string complaint(const std::string& part, const std::string& instead) {
 } // namespace
 
 TEST_CASE("a mistake is read with all that it says") {
-    const auto mistakes = parse_catalogue(good, "mistakes/01_one.md");
+    const auto mistakes = parse_catalogue(good, "exercises/01_one/mistakes.md");
     REQUIRE(mistakes.size() == 1);
     CHECK(mistakes[0].step == "01_one");
     CHECK(mistakes[0].id == "not-halved");
@@ -60,25 +60,28 @@ TEST_CASE("a mistake is read with all that it says") {
     CHECK(mistakes[0].file == "01_one/half.h");
     CHECK(mistakes[0].shows == "all is twice as large.");
     CHECK(mistakes[0].fix == "divide by 2.");
-    CHECK(mistakes[0].place == "mistakes/01_one.md:3");
+    CHECK(mistakes[0].place == "exercises/01_one/mistakes.md:3");
 }
 
 TEST_CASE("a mistake changes its lines and nothing else") {
     std::string expected = header;
     expected.replace(expected.find("return y / 2;"), 13, "return y;");
-    CHECK(with_mistake(parse_catalogue(good, "mistakes/01_one.md")[0], header) == expected);
+    CHECK(with_mistake(parse_catalogue(good, "exercises/01_one/mistakes.md")[0], header) == expected);
 }
 
 TEST_CASE("a fault of the catalogue is said in one line, with file and line") {
-    CHECK(complaint("# Mistakes of step 01", "# Mistakes of step 02").starts_with("mistakes/01_one.md:1: "));
-    CHECK(
-        complaint("not-halved: ", "not-halved ").starts_with("mistakes/01_one.md:3: a mistake begins with"));
-    CHECK(complaint("not-halved", "Not halved").starts_with("mistakes/01_one.md:3: the id 'Not halved'"));
-    CHECK(complaint("```diff", "```").starts_with("mistakes/01_one.md:4: "));
-    CHECK(complaint("01_one/half.h", "half.h").starts_with("mistakes/01_one.md:5: "));
+    CHECK(complaint("# Mistakes of step 01", "# Mistakes of step 02")
+              .starts_with("exercises/01_one/mistakes.md:1: "));
+    CHECK(complaint("not-halved: ", "not-halved ")
+              .starts_with("exercises/01_one/mistakes.md:3: a mistake begins with"));
+    CHECK(complaint("not-halved", "Not halved")
+              .starts_with("exercises/01_one/mistakes.md:3: the id 'Not halved'"));
+    CHECK(complaint("```diff", "```").starts_with("exercises/01_one/mistakes.md:4: "));
+    CHECK(complaint("01_one/half.h", "half.h").starts_with("exercises/01_one/mistakes.md:5: "));
     CHECK(complaint("01_one/half.h", "02_two/half.h").find("later step") != std::string::npos);
     CHECK(complaint("```\n*", "*").find("a line of a diff begins with") != std::string::npos);
-    CHECK(complaint("* Why: a half is half.\n", "").starts_with("mistakes/01_one.md:12: here '* Why: ...'"));
+    CHECK(complaint("* Why: a half is half.\n", "")
+              .starts_with("exercises/01_one/mistakes.md:12: here '* Why: ...'"));
     CHECK(complaint("divide by 2.\n", "divide by 2.\n\n" + good.substr(good.find("##")))
               .find("there are two mistakes not-halved") != std::string::npos);
 }

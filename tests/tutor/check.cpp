@@ -1,6 +1,6 @@
 // What ./learn check does with code that does not compile, crashes or never ends.
 #include "tests/check.h"
-#include "common/error.h"
+#include "common/util/error.h"
 #include "tests/tutor/folder.h"
 #include "tools/tutor/build_lock.h"
 #include "tools/tutor/check_run.h"

@@ -1,7 +1,7 @@
 // From the lines of a check to the name of a mistake.
 #include "tests/tutor/folder.h"
 
-#include "common/error.h"
+#include "common/util/error.h"
 #include "tools/tutor/catalogue.h"
 #include "tools/tutor/diagnosis.h"
 
@@ -71,7 +71,8 @@ TEST_CASE("a signature holds each assertion once, with how often it failed") {
 
 TEST_CASE("signatures are written and read back") {
     const Signature signature = signature_of("far", parse_results(lines));
-    const auto back = parse_signatures(signatures_text("01_one", {signature}), "mistakes/01_one.signatures");
+    const auto back =
+        parse_signatures(signatures_text("01_one", {signature}), "exercises/01_one/signatures.txt");
     REQUIRE(back.size() == 1);
     CHECK(back[0].id == "far");
     REQUIRE(back[0].symptoms.size() == 2);
@@ -79,8 +80,9 @@ TEST_CASE("signatures are written and read back") {
     CHECK(back[0].symptoms[0].expression == "t == approx(4)");
     CHECK(back[0].symptoms[0].times == 2);
     CHECK_THROWS_WITH_AS(
-        parse_signatures("far\n    nonsense\n", "mistakes/01_one.signatures"),
-        "mistakes/01_one.signatures:2: not a line that prove writes; run ./learn prove --write again", Error);
+        parse_signatures("far\n    nonsense\n", "exercises/01_one/signatures.txt"),
+        "exercises/01_one/signatures.txt:2: not a line that prove writes; run ./learn prove --write again",
+        Error);
     for (const char* damaged :
          {" ", "far\n ", "far\n a check", "far\n    ", "  a check\n", "    1\ta\tb\n"}) {
         CAPTURE(std::string(damaged));

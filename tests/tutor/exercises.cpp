@@ -1,7 +1,7 @@
 // Facts about exercises: found in the reference, cut from it, found again in a learner's file.
 #include "tools/tutor/exercises.h"
 
-#include "common/error.h"
+#include "common/util/error.h"
 #include "tests/tutor/folder.h"
 #include "tools/tutor/hints.h"
 

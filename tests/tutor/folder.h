@@ -35,7 +35,7 @@ class SmallProject {
         put(root / "steps/02_two/main.cpp", "// Step 02 asks: or two?\n");
         put(root / "steps/02_two/base.h", base);
         put(root / "steps/02_two/above.h", above);
-        put(root / "hints/01_one.md",
+        put(root / "exercises/01_one/hints.md",
             "# Hints\n\n## half\n\n1. look\n   twice\n2. formula\n3. line\n\n## sign\n\n"
             "1. a\n2. b\n3. c\n");
     }

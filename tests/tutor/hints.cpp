@@ -1,7 +1,7 @@
 // Facts about hints: how their files are read, and that each call gives one tier more.
 #include "tools/tutor/hints.h"
 
-#include "common/error.h"
+#include "common/util/error.h"
 #include "tests/tutor/folder.h"
 #include "tools/tutor/commands.h"
 
@@ -21,7 +21,7 @@ bool has(const std::string& text, const std::string& part) {
 
 std::string complaint(const std::string& hints) {
     const SmallProject small;
-    put(small.root / "hints/01_one.md", hints);
+    put(small.root / "exercises/01_one/hints.md", hints);
     try {
         read_hints(small.root, "01_one", exercises_of(small.project, "01_one"));
     } catch (const Error& error) {
@@ -76,15 +76,15 @@ TEST_CASE("an unknown exercise is refused with the names that there are") {
 }
 
 TEST_CASE("hints that are missing, left over or not three are errors that name the file") {
-    CHECK(has(complaint("## half\n1. a\n2. b\n3. c\n"), "01_one.md: no hints for sign"));
+    CHECK(has(complaint("## half\n1. a\n2. b\n3. c\n"), "01_one/hints.md: no hints for sign"));
     const std::string both = "## half\n1. a\n2. b\n3. c\n## sign\n1. a\n2. b\n3. c\n";
     CHECK(complaint(both) == "");
     CHECK(has(complaint(both + "## quarter\n1. a\n2. b\n3. c\n"), "hints for quarter, which is no exercise"));
     CHECK(has(complaint(both + "4. d\n"), "4 hints for sign, not three"));
     CHECK(has(complaint("## half\n1. a\n## sign\n1. a\n2. b\n3. c\n"), "1 hints for half, not three"));
-    CHECK(has(complaint(both + "## half\n"), "01_one.md:9: a second set of hints for half"));
-    CHECK(has(complaint("## half\n2. a\n"), "01_one.md:2: expected '1. '"));
-    CHECK(has(complaint("1. a\n"), "01_one.md:1: a hint stands below '## name'"));
+    CHECK(has(complaint(both + "## half\n"), "01_one/hints.md:9: a second set of hints for half"));
+    CHECK(has(complaint("## half\n2. a\n"), "01_one/hints.md:2: expected '1. '"));
+    CHECK(has(complaint("1. a\n"), "01_one/hints.md:1: a hint stands below '## name'"));
 }
 
 TEST_CASE("a damaged memory of hints starts anew") {

@@ -1,8 +1,8 @@
 // Facts about differences between texts, and what ./learn diff says.
 #include "tools/tutor/line_diff.h"
 
-#include "common/error.h"
-#include "common/random.h"
+#include "common/util/error.h"
+#include "common/math/random.h"
 #include "tests/tutor/folder.h"
 #include "tools/tutor/commands.h"
 

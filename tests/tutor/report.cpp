@@ -1,8 +1,8 @@
 // Facts about the report: one page with all in it, in which nothing from outside is more than text.
 #include "tools/tutor/report.h"
 
-#include "common/file_bytes.h"
-#include "common/image_file.h"
+#include "common/util/file_bytes.h"
+#include "common/image/image_file.h"
 #include "tests/malformed/folder.h"
 #include "tools/tutor/embed.h"
 

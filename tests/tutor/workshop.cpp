@@ -1,7 +1,7 @@
 // Facts about the workshop: stubs never overwrite, files that are put aside are kept, and status says where one stands.
 #include "tools/tutor/workshop.h"
 
-#include "common/error.h"
+#include "common/util/error.h"
 #include "tests/tutor/folder.h"
 #include "tools/tutor/commands.h"
 

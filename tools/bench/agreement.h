@@ -1,8 +1,8 @@
 // Do both sides find the same? Counts where they do not, by kind, and asks every triangle who is right.
 #pragma once
 
-#include "common/random.h"
-#include "common/json.h"
+#include "common/math/random.h"
+#include "common/util/json.h"
 #include "tools/bench/ours.h"
 
 #include <cmath>

@@ -6,11 +6,11 @@
 #include "08_indirect/radiance.h"
 #include "08_indirect/room.h"
 #include "08_indirect/scene.h"
-#include "common/complain.h"
-#include "common/file_bytes.h"
-#include "common/render.h"
+#include "common/util/complain.h"
+#include "common/util/file_bytes.h"
+#include "common/render/render.h"
 #include "tools/bench/convergence.h"
-#include "common/json.h"
+#include "common/util/json.h"
 #include "tools/bench/svg.h"
 
 #include <CLI/CLI.hpp>
@@ -65,7 +65,7 @@ double processor_seconds() {
 
 Image shoot(const Subject& subject, const Transport& transport, SamplerKind kind, int samples,
             std::uint64_t seed, int threads) {
-    Picture picture;
+    RenderSettings picture;
     picture.width = int(subject.camera.size.x);
     picture.height = int(subject.camera.size.y);
     picture.samples = samples;

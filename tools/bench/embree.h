@@ -3,7 +3,7 @@
 
 #include "01_spheres/ray.h"
 #include "05_mesh_bvh/mesh.h"
-#include "common/error.h"
+#include "common/util/error.h"
 #include "tools/bench/ours.h"
 
 #if RT_EMBREE

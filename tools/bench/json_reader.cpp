@@ -2,7 +2,7 @@
 
 #include "tools/bench/json_reader.h"
 
-#include "common/error.h"
+#include "common/util/error.h"
 
 #include <algorithm>
 #include <charconv>

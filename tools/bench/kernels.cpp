@@ -5,8 +5,8 @@
 #include "05_mesh_bvh/triangle.h"
 #include "06_textures/texture.h"
 #include "08_indirect/bounce.h"
-#include "common/complain.h"
-#include "common/compare/flip.h"
+#include "common/util/complain.h"
+#include "tools/compare/flip.h"
 #include "tools/bench/meshes.h"
 #include "tools/bench/ours.h"
 

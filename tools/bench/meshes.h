@@ -4,8 +4,8 @@
 
 #include "01_spheres/camera.h"
 #include "05_mesh_bvh/mesh.h"
-#include "common/paths.h"
-#include "common/random.h"
+#include "common/util/paths.h"
+#include "common/math/random.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 // How fast read_obj is, against tinyobjloader alone: both read the same file of a million triangles, in
 // interleaved rounds, and then the files with and without normals become a mesh.
 #include "05_mesh_bvh/mesh.h"
-#include "common/complain.h"
-#include "common/error.h"
-#include "common/file_bytes.h"
-#include "common/obj_file.h"
+#include "common/util/complain.h"
+#include "common/util/error.h"
+#include "common/util/file_bytes.h"
+#include "common/model/obj_file.h"
 
 #include <CLI/CLI.hpp>
 #include <tiny_obj_loader.h>

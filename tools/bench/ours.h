@@ -5,7 +5,7 @@
 #include "05_mesh_bvh/triangle.h"
 #include "05_mesh_bvh/wide_build.h"
 #include "05_mesh_bvh/wide_bvh.h"
-#include "common/parallel.h"
+#include "common/util/parallel.h"
 
 #include <cstdint>
 #include <vector>

@@ -3,7 +3,7 @@
 
 #include "02_shadows/offset.h"
 #include "08_indirect/bounce.h"
-#include "common/random.h"
+#include "common/math/random.h"
 #include "tools/bench/meshes.h"
 #include "tools/bench/ours.h"
 

@@ -1,8 +1,8 @@
 // What each step's reference picture costs: seconds and rays a second with all threads, and where one
 // thread's time goes, which a program built from the same main.cpp tells (watched.h).
-#include "common/complain.h"
-#include "common/error.h"
-#include "common/json.h"
+#include "common/util/complain.h"
+#include "common/util/error.h"
+#include "common/util/json.h"
 #include "tools/bench/statistics.h"
 
 #include <CLI/CLI.hpp>

@@ -1,8 +1,8 @@
 // bench_report FOLDER: turns the numbers of traversal.json, scaling.json, ... in a folder into report.md and
 // plots.
-#include "common/complain.h"
-#include "common/error.h"
-#include "common/json.h"
+#include "common/util/complain.h"
+#include "common/util/error.h"
+#include "common/util/json.h"
 #include "tools/bench/json_reader.h"
 #include "tools/bench/statistics.h"
 #include "tools/bench/svg.h"

@@ -2,8 +2,8 @@
 // the same rays, the same threads, round about. Also how long both builds take, and what they hold.
 #include "tools/bench/agreement.h"
 #include "tools/bench/embree.h"
-#include "common/complain.h"
-#include "common/json.h"
+#include "common/util/complain.h"
+#include "common/util/json.h"
 #include "tools/bench/memory.h"
 #include "tools/bench/meshes.h"
 #include "tools/bench/ours.h"

@@ -5,9 +5,9 @@
 //     y RMSE
 //     curve 0 solid random              a colour (0 to 5), solid or dashed, and a name for what follows:
 //     16 0.0421                         a point, x and y, both above 0
-#include "common/complain.h"
-#include "common/error.h"
-#include "common/file_bytes.h"
+#include "common/util/complain.h"
+#include "common/util/error.h"
+#include "common/util/file_bytes.h"
 #include "tools/bench/svg.h"
 
 #include <exception>

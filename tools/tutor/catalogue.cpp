@@ -1,8 +1,8 @@
 // Reads the catalogue of mistakes, finds its faults, and makes mistakes.
 #include "tools/tutor/catalogue.h"
 
-#include "common/error.h"
-#include "common/file_bytes.h"
+#include "common/util/error.h"
+#include "common/util/file_bytes.h"
 #include "tools/tutor/exercises.h"
 
 #include <algorithm>
@@ -140,7 +140,7 @@ std::size_t find_place(const Mistake& mistake, const std::vector<std::string>& l
 
 std::vector<Mistake> parse_catalogue(const std::string& text, const std::string& path) {
     Reader reader(text, path);
-    const std::string step = fs::path(path).stem().string();
+    const std::string step = fs::path(path).parent_path().filename().string();
     const std::string title = "# Mistakes of step " + step.substr(0, 2) + ": ";
     if (reader.ended() || !reader.line().starts_with(title))
         reader.complain("the first line is '" + title + "...'");
@@ -176,10 +176,10 @@ std::string with_mistake(const Mistake& mistake, const std::string& header) {
 }
 
 std::vector<Mistake> read_catalogue(const fs::path& root, const std::string& step) {
-    const fs::path path = root / "mistakes" / (step + ".md");
+    const fs::path path = root / "exercises" / step / "mistakes.md";
     std::error_code ignored;
     if (!fs::exists(path, ignored)) return {};
-    auto mistakes = parse_catalogue(read_file(path.string()), "mistakes/" + step + ".md");
+    auto mistakes = parse_catalogue(read_file(path.string()), "exercises/" + step + "/mistakes.md");
     std::set<std::string> results;
     for (const Mistake& mistake : mistakes) {
         const std::string text = with_mistake(mistake, read_file((root / "steps" / mistake.file).string()));

@@ -1,4 +1,4 @@
-// The catalogue of mistakes: mistakes/NN_name.md holds what learners of a step do wrong, each as the smallest change to
+// The catalogue of mistakes: exercises/NN_name/mistakes.md holds what learners of a step do wrong, each as the smallest change to
 // the reference, with what the picture shows then, why, and what to do.
 #pragma once
 
@@ -23,7 +23,7 @@ struct Mistake {
     std::string shows; ///< what one sees in the picture; begins with "nothing" if that is nothing
     std::string why;
     std::string fix;
-    std::string place; ///< "mistakes/03_mirror.md:3", for complaints
+    std::string place; ///< "exercises/03_mirror/mistakes.md:3", for complaints
 };
 
 /// Reads one file of the catalogue; `path` is what complaints name. Throws Error with the first fault, as
@@ -33,7 +33,7 @@ std::vector<Mistake> parse_catalogue(const std::string& text, const std::string&
 /// The header with the mistake in it. Throws Error if the patch does not apply, or applies in two places.
 std::string with_mistake(const Mistake& mistake, const std::string& header);
 
-/// The mistakes of a step, from `root`/mistakes/NN_name.md; none if there is no such file. All apply to
+/// The mistakes of a step, from `root`/exercises/NN_name/mistakes.md; none if there is no such file. All apply to
 /// `root`/steps. Throws Error.
 std::vector<Mistake> read_catalogue(const std::filesystem::path& root, const std::string& step);
 

@@ -2,9 +2,9 @@
 // is next.
 #include "tools/tutor/check.h"
 
-#include "common/complain.h"
-#include "common/error.h"
-#include "common/file_bytes.h"
+#include "common/util/complain.h"
+#include "common/util/error.h"
+#include "common/util/file_bytes.h"
 #include "tools/tutor/catalogue.h"
 #include "tools/tutor/check_files.h"
 #include "tools/tutor/check_picture.h"
@@ -310,7 +310,7 @@ std::string saved_last(const Project& project, const std::string& step) {
         const fs::path own = project.workshop / step / exercise.file;
         const fs::file_time_type saved = fs::last_write_time(own, missing);
         const bool has_checks =
-            fs::exists(project.root / "tests" / (check_file_of(step, exercise.file) + ".cpp"), ignored);
+            fs::exists(project.root / check_source(step, check_file_of(step, exercise.file)), ignored);
         if (!has_checks || (!missing && saved < when) || (missing && !last.empty())) continue;
         last = exercise.file;
         if (!missing) when = saved;

@@ -11,10 +11,9 @@ namespace fs = std::filesystem;
 
 std::vector<std::string> check_files(const fs::path& root, const std::string& step) {
     std::vector<std::string> files;
-    for (const fs::path& entry : entries_of(root / "tests")) {
+    for (const fs::path& entry : entries_of(root / "tests" / step)) {
         const fs::path name = entry.filename();
-        if (name.extension() == ".cpp" && name.string().starts_with(step))
-            files.push_back(name.stem().string());
+        if (name.extension() == ".cpp") files.push_back(step + "_" + name.stem().string());
     }
     std::stable_partition(files.begin(), files.end(), [](const std::string& file) { return !is_slow(file); });
     auto place = files.begin();
@@ -23,6 +22,10 @@ std::vector<std::string> check_files(const fs::path& root, const std::string& st
         if (own != files.end()) std::rotate(place++, own, own + 1);
     }
     return files;
+}
+
+std::string check_source(const std::string& step, const std::string& file) {
+    return "tests/" + step + file.substr(step.size()).replace(0, 1, "/") + ".cpp";
 }
 
 bool is_slow(const std::string& file) {

@@ -1,9 +1,9 @@
 // Renders into a folder of its own, so that a picture that the learner made before stays.
 #include "tools/tutor/check_picture.h"
 
-#include "common/error.h"
-#include "common/file_bytes.h"
-#include "common/image_file.h"
+#include "common/util/error.h"
+#include "common/util/file_bytes.h"
+#include "common/image/image_file.h"
 #include "tools/tutor/build_lock.h"
 #include "tools/tutor/gallery.h"
 #include "tools/tutor/process.h"

@@ -1,7 +1,7 @@
 // The picture that a step's program makes with the learner's files, against the reference.
 #pragma once
 
-#include "common/compare/judge.h"
+#include "tools/compare/judge.h"
 #include "tools/tutor/report.h"
 
 #include <filesystem>

@@ -1,8 +1,8 @@
 // Runs the executable again from the check behind the one that broke it off.
 #include "tools/tutor/check_run.h"
 
-#include "common/error.h"
-#include "common/file_bytes.h"
+#include "common/util/error.h"
+#include "common/util/file_bytes.h"
 #include "tools/tutor/build_lock.h"
 #include "tools/tutor/process.h"
 

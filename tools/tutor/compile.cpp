@@ -1,8 +1,8 @@
 // Reads "file:line:column: error: message", which GCC and Clang agree on.
 #include "tools/tutor/compile.h"
 
-#include "common/cores.h"
-#include "common/file_bytes.h"
+#include "common/util/cores.h"
+#include "common/util/file_bytes.h"
 #include "tools/tutor/build_lock.h"
 #include "tools/tutor/process.h"
 

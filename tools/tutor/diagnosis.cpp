@@ -1,8 +1,8 @@
 // Reads what checks say, keeps it as signatures, and finds the signature that fits best.
 #include "tools/tutor/diagnosis.h"
 
-#include "common/error.h"
-#include "common/file_bytes.h"
+#include "common/util/error.h"
+#include "common/util/file_bytes.h"
 #include "tools/tutor/exercises.h"
 
 #include <algorithm>
@@ -184,10 +184,10 @@ std::vector<Signature> parse_signatures(const std::string& text, const std::stri
 }
 
 std::vector<Signature> read_signatures(const std::filesystem::path& root, const std::string& step) {
-    const std::filesystem::path path = root / "mistakes" / (step + ".signatures");
+    const std::filesystem::path path = root / "exercises" / step / "signatures.txt";
     std::error_code ignored;
     if (!std::filesystem::exists(path, ignored)) return {};
-    return parse_signatures(read_file(path.string()), "mistakes/" + step + ".signatures");
+    return parse_signatures(read_file(path.string()), "exercises/" + step + "/signatures.txt");
 }
 
 std::vector<Match> ranked(const std::vector<Signature>& known, const Signature& seen) {

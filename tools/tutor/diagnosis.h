@@ -1,5 +1,5 @@
 // From what the checks say to the mistake that makes them say it: each mistake of the catalogue fails its own checks with
-// its own values, and its signature (mistakes/NN_name.signatures, written by prove) holds which.
+// its own values, and its signature (exercises/NN_name/signatures.txt, written by prove) holds which.
 #pragma once
 
 #include "tools/tutor/catalogue.h"
@@ -60,7 +60,7 @@ Signature signature_of(const std::string& id, const std::vector<CheckResult>& re
 std::string signatures_text(const std::string& step, const std::vector<Signature>& signatures);
 std::vector<Signature> parse_signatures(const std::string& text, const std::string& path);
 
-/// From `root`/mistakes/NN_name.signatures; none if there is no such file.
+/// From `root`/exercises/NN_name/signatures.txt; none if there is no such file.
 std::vector<Signature> read_signatures(const std::filesystem::path& root, const std::string& step);
 
 /// How well a known signature fits what is seen, from 0 to 1: the shares of the checks, of their assertions and of their

@@ -2,7 +2,7 @@
 #include "tools/tutor/commands.h"
 #include "tools/tutor/line_diff.h"
 
-#include "common/file_bytes.h"
+#include "common/util/file_bytes.h"
 
 namespace rt {
 

@@ -1,9 +1,9 @@
 // How text and pictures are escaped for a web page: JSON for the one, base64 for the other.
 #include "tools/tutor/embed.h"
 
-#include "common/error.h"
-#include "common/file_bytes.h"
-#include "common/utf8.h"
+#include "common/util/error.h"
+#include "common/util/file_bytes.h"
+#include "common/util/utf8.h"
 
 #include <cstdint>
 #include <cstdio>

@@ -1,8 +1,8 @@
 // Reads the reference line by line: it is formatted by a machine, so a function begins and ends in column 0.
 #include "tools/tutor/exercises.h"
 
-#include "common/error.h"
-#include "common/file_bytes.h"
+#include "common/util/error.h"
+#include "common/util/file_bytes.h"
 
 #include <algorithm>
 #include <map>

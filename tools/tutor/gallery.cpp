@@ -1,8 +1,8 @@
-// Finds its way in mistakes/ and assets/reference/.
+// Finds its way in exercises/ and assets/reference/.
 #include "tools/tutor/gallery.h"
 
-#include "common/error.h"
-#include "common/file_bytes.h"
+#include "common/util/error.h"
+#include "common/util/file_bytes.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -13,7 +13,7 @@ namespace rt {
 namespace fs = std::filesystem;
 
 fs::path gallery_picture(const fs::path& root, const std::string& step, const std::string& id) {
-    return root / "mistakes" / step / (id + ".png");
+    return root / "exercises" / step / "gallery" / (id + ".png");
 }
 
 std::string reference_fact(const fs::path& root, const std::string& step, const std::string& key) {

@@ -1,8 +1,8 @@
 // The gallery of wrong pictures: what the program of a step renders with each of its known mistakes, small, in
-// mistakes/NN_name/. ./learn prove --write renders it.
+// exercises/NN_name/gallery/. ./learn prove --write renders it.
 #pragma once
 
-#include "common/compare/known.h"
+#include "tools/compare/known.h"
 
 #include <filesystem>
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace rt {
 
-/// `root`/mistakes/03_mirror/far-root.png; the right picture is called "right".
+/// `root`/exercises/03_mirror/gallery/far-root.png; the right picture is called "right".
 std::filesystem::path gallery_picture(const std::filesystem::path& root, const std::string& step,
                                       const std::string& id);
 

@@ -2,8 +2,8 @@
 #include "tools/tutor/commands.h"
 #include "tools/tutor/hints.h"
 
-#include "common/error.h"
-#include "common/file_bytes.h"
+#include "common/util/error.h"
+#include "common/util/file_bytes.h"
 
 #include <algorithm>
 #include <sstream>

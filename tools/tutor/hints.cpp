@@ -1,8 +1,8 @@
 // Reads hints: plain Markdown, so that they can be read without this program too.
 #include "tools/tutor/hints.h"
 
-#include "common/error.h"
-#include "common/file_bytes.h"
+#include "common/util/error.h"
+#include "common/util/file_bytes.h"
 
 #include <algorithm>
 
@@ -48,7 +48,7 @@ Hints parse_hints(const std::string& text, const std::string& path) {
 
 Hints read_hints(const std::filesystem::path& root, const std::string& step,
                  const std::vector<Exercise>& exercises) {
-    const std::string path = (root / "hints" / (step + ".md")).string();
+    const std::string path = (root / "exercises" / step / "hints.md").string();
     Hints hints = parse_hints(read_file(path), path);
     for (const Exercise& exercise : exercises)
         if (!hints.contains(exercise.name)) throw Error(path + ": no hints for " + exercise.name);

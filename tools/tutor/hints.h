@@ -1,4 +1,4 @@
-// The hints of a step, read from hints/NN_name.md: three tiers an exercise, what to look at, which formula, which
+// The hints of a step, read from exercises/NN_name/hints.md: three tiers an exercise, what to look at, which formula, which
 // line.
 #pragma once
 
@@ -20,7 +20,7 @@ inline constexpr std::size_t tiers = 3;
 /// file and line for anything else.
 Hints parse_hints(const std::string& text, const std::string& path);
 
-/// Those in ROOT/hints/STEP.md. Throws Error if an exercise lacks its three, or if hints are left over.
+/// Those in ROOT/exercises/STEP/hints.md. Throws Error if an exercise lacks its three, or if hints are left over.
 Hints read_hints(const std::filesystem::path& root, const std::string& step,
                  const std::vector<Exercise>& exercises);
 

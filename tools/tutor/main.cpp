@@ -4,7 +4,7 @@
 #include "tools/tutor/commands.h"
 #include "tools/tutor/watch.h"
 
-#include "common/complain.h"
+#include "common/util/complain.h"
 
 #include <CLI/CLI.hpp>
 

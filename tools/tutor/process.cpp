@@ -1,7 +1,7 @@
 // Starts programs as POSIX systems do.
 #include "tools/tutor/process.h"
 
-#include "common/error.h"
+#include "common/util/error.h"
 
 #include <cerrno>
 #include <csignal>

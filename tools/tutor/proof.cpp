@@ -1,8 +1,8 @@
 // Compiles, links and runs checks with changed headers, and keeps what came.
 #include "tools/tutor/proof.h"
 
-#include "common/error.h"
-#include "common/file_bytes.h"
+#include "common/util/error.h"
+#include "common/util/file_bytes.h"
 #include "tools/tutor/build_lock.h"
 #include "tools/tutor/check_files.h"
 #include "tools/tutor/compile.h"
@@ -78,7 +78,7 @@ Source look_at(const Toolchain& tools, const Change& change, const std::string& 
     Hash hash;
     std::set<std::string> seen;
     hash.add(tools.fixed);
-    hash.add(optimisation(fs::path(source).filename().string()));
+    hash.add(optimisation(fs::path(source).parent_path().filename().string()));
     add_with_includes(tools, change, source, seen, hash);
     Source looked{hash.text(), {}};
     for (const std::string& name : seen)
@@ -86,16 +86,16 @@ Source look_at(const Toolchain& tools, const Change& change, const std::string& 
     return looked;
 }
 
-/// "tests/03_mirror_mirror.cpp" and the others of the step; those of the changed headers come first.
+/// "tests/03_mirror/mirror.cpp" and the others of the step; those of the changed headers come first.
 std::vector<std::string> check_sources(const Toolchain& tools, const Change& change) {
     std::vector<std::string> sources;
     for (const std::string& file : check_files(tools.root, change.step))
-        sources.push_back("tests/" + file + ".cpp");
+        sources.push_back(check_source(change.step, file));
     std::stable_partition(sources.begin(), sources.end(), [&](const std::string& source) {
         const std::string file = fs::path(source).stem().string();
         return std::ranges::any_of(change.headers, [&](const auto& header) {
-            const std::string own = check_file_of(change.step, header.first);
-            return file == own || file.starts_with(own + "_"); // as in 05_mesh_bvh_bvh_in_scenes
+            const std::string own = fs::path(header.first).stem().string();
+            return file == own || file.starts_with(own + "_"); // as in bvh_in_scenes
         });
     });
     return sources;
@@ -146,7 +146,7 @@ std::string build_checks(const Toolchain& tools, const Change& change, const std
     for (const std::string& part : look_at(tools, change, source).parts)
         if (const auto complaint = compile_part(tools, change, part, scratch, objects); !complaint.empty())
             return complaint;
-    const std::string level = optimisation(fs::path(source).filename().string());
+    const std::string level = optimisation(fs::path(source).parent_path().filename().string());
     const fs::path object = scratch / "checks.o", log = scratch / "compiler.log";
     auto compile = compile_command(tools, scratch);
     for (const std::string& word :
@@ -247,7 +247,7 @@ std::string proof_key(const Toolchain& tools, const std::string& step) {
     std::set<std::string> seen;
     for (const std::string& source : check_sources(tools, Change{.step = step}))
         add_with_includes(tools, {}, source, seen, hash);
-    hash.add(read_file((tools.root / "mistakes" / (step + ".md")).string()));
+    hash.add(read_file((tools.root / "exercises" / step / "mistakes.md").string()));
     return hash.text();
 }
 

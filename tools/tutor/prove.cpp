@@ -1,11 +1,11 @@
 // The proof that the checks check: every stub fails them, and every mistake of the catalogue fails them in a way that
 // names it. ./learn prove runs it.
-#include "common/compare/judge.h"
-#include "common/complain.h"
-#include "common/cores.h"
-#include "common/error.h"
-#include "common/file_bytes.h"
-#include "common/json.h"
+#include "tools/compare/judge.h"
+#include "common/util/complain.h"
+#include "common/util/cores.h"
+#include "common/util/error.h"
+#include "common/util/file_bytes.h"
+#include "common/util/json.h"
 #include "tools/tutor/catalogue.h"
 #include "tools/tutor/exercises.h"
 #include "tools/tutor/gallery.h"
@@ -257,7 +257,7 @@ std::vector<Signature> signatures_of(const StepProof& proof) {
 }
 
 Count judge(const Toolchain& tools, StepProof& proof, bool write) {
-    const std::string path = "mistakes/" + proof.step + ".signatures";
+    const std::string path = "exercises/" + proof.step + "/signatures.txt";
     if (write) write_file((tools.root / path).string(), signatures_text(proof.step, signatures_of(proof)));
     const std::vector<Signature> known = read_signatures(tools.root, proof.step);
     const fs::path right = picture_path(tools, proof.trials[0].change);
@@ -317,10 +317,10 @@ void print_table(const std::vector<Count>& counts, const Count& total) {
     print_row(total);
 }
 
-/// mistakes/proved.txt: of each step, the key of what was proved when all of it held.
+/// exercises/proved.txt: of each step, the key of what was proved when all of it held.
 std::map<std::string, std::string> noted_keys(const Toolchain& tools) {
     std::map<std::string, std::string> keys;
-    const fs::path path = tools.root / "mistakes" / "proved.txt";
+    const fs::path path = tools.root / "exercises" / "proved.txt";
     if (!fs::exists(path)) return keys;
     std::istringstream lines(read_file(path.string()));
     for (std::string line, step, key; std::getline(lines, line);)
@@ -335,7 +335,7 @@ void note_key(const Toolchain& tools, const std::string& step) {
         "# Of each step, the key of what was proved when all of it held: its checks, what they include, and "
         "its\n# mistakes. Written by ./learn prove --write, read by ./learn prove --changed.\n";
     for (const auto& [name, key] : keys) text += name + " " + key + "\n";
-    write_file((tools.root / "mistakes" / "proved.txt").string(), text);
+    write_file((tools.root / "exercises" / "proved.txt").string(), text);
 }
 
 std::vector<StepProof> plan_all(const Toolchain& tools, const Wishes& wishes) {
@@ -394,9 +394,9 @@ int main(int argc, char** argv) {
     app.add_option("--step", wishes.step, "one step alone: 3, 03 or 03_mirror");
     app.add_flag("--no-pictures", wishes.no_pictures, "does not render the wrong pictures");
     app.add_flag("--write", wishes.write,
-                 "notes the signatures of the mistakes in mistakes/*.signatures, and their pictures");
+                 "notes the signatures of the mistakes in exercises/*/signatures.txt, and their pictures");
     app.add_flag("--changed", wishes.changed,
-                 "leaves out the steps that have not changed since they were proved (mistakes/proved.txt)");
+                 "leaves out the steps that have not changed since they were proved (exercises/proved.txt)");
     app.add_flag("--fresh", wishes.fresh,
                  "builds all of it anew, in place of what did not change since the last time");
     app.add_option("--jobs", wishes.jobs, "how many at a time; 0 for as many as there are cores")

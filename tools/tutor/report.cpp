@@ -1,8 +1,8 @@
 // The report: what is known as JSON, the pictures as data URLs, both put into the page's frame.
 #include "tools/tutor/report.h"
 
-#include "common/error.h"
-#include "common/file_bytes.h"
+#include "common/util/error.h"
+#include "common/util/file_bytes.h"
 #include "tools/tutor/embed.h"
 
 #include <cmath>

@@ -1,8 +1,8 @@
 // ./learn start 03: cuts the stubs of a step, beside whatever the learner has written already.
 #include "tools/tutor/commands.h"
 
-#include "common/error.h"
-#include "common/file_bytes.h"
+#include "common/util/error.h"
+#include "common/util/file_bytes.h"
 
 #include <algorithm>
 #include <utility>

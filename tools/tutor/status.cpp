@@ -1,7 +1,7 @@
 // ./learn status: the eight steps, what is done in each, and what is next.
 #include "tools/tutor/commands.h"
 
-#include "common/file_bytes.h"
+#include "common/util/file_bytes.h"
 
 #include <algorithm>
 #include <iomanip>

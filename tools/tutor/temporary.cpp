@@ -1,7 +1,7 @@
 // Lets the system choose the names: mkstemp and mkdtemp make what they name, or fail.
 #include "tools/tutor/temporary.h"
 
-#include "common/error.h"
+#include "common/util/error.h"
 
 #include <cstdlib>
 #include <unistd.h>

@@ -1,7 +1,7 @@
 // ./learn undo 03 mirror.h: puts the learner's file aside, so that the reference counts again.
 #include "tools/tutor/commands.h"
 
-#include "common/error.h"
+#include "common/util/error.h"
 
 #include <algorithm>
 #include <array>

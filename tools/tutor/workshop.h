@@ -12,7 +12,7 @@ namespace rt {
 
 /// Where all stands.
 struct Project {
-    std::filesystem::path root;     ///< of the project: steps/, hints/ and docs/ are in it
+    std::filesystem::path root;     ///< of the project: steps/, exercises/ and docs/ are in it
     std::filesystem::path workshop; ///< the learner's files, NN_name/file.h
 };
 

@@ -1,7 +1,7 @@
 // Looks whether what a page refers to is there.
 #include "tools/weave/weave.h"
 
-#include "common/file_bytes.h"
+#include "common/util/file_bytes.h"
 #include "tools/tutor/exercises.h"
 
 #include <algorithm>
@@ -87,8 +87,8 @@ std::vector<std::string> code_in(const std::string& line) {
 
 /// steps/03_mirror/mirror.h, and not steps/NN_name/*.h or a command.
 bool is_project_path(const std::string& code) {
-    constexpr std::array rooms{"steps/",    "common/", "tests/",  "tools/", "docs/",
-                               "mistakes/", "hints/",  "assets/", "cmake/"};
+    constexpr std::array rooms{"steps/", "common/",    "tests/",  "tools/",
+                               "docs/",  "exercises/", "assets/", "cmake/"};
     const auto is_plain = [](char c) {
         return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.' || c == '/' ||
                c == '-';

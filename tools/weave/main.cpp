@@ -2,9 +2,9 @@
 // is not, 2 a page that cannot be read, written or understood.
 #include "tools/weave/weave.h"
 
-#include "common/complain.h"
-#include "common/error.h"
-#include "common/file_bytes.h"
+#include "common/util/complain.h"
+#include "common/util/error.h"
+#include "common/util/file_bytes.h"
 #include "tools/tutor/exercises.h"
 #include "tools/tutor/process.h"
 #include "tools/tutor/temporary.h"

@@ -2,7 +2,7 @@
 // is not indented.
 #include "tools/weave/region.h"
 
-#include "common/error.h"
+#include "common/util/error.h"
 #include "tools/tutor/exercises.h"
 
 #include <algorithm>

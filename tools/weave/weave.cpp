@@ -1,8 +1,8 @@
 // Finds the markers of a page and makes what belongs between them.
 #include "tools/weave/weave.h"
 
-#include "common/error.h"
-#include "common/file_bytes.h"
+#include "common/util/error.h"
+#include "common/util/file_bytes.h"
 #include "tools/tutor/catalogue.h"
 #include "tools/tutor/exercises.h"
 #include "tools/tutor/hash.h"
@@ -82,7 +82,7 @@ std::string sentence(std::string text) {
 }
 
 std::string row(const fs::path& root, const Mistake& mistake) {
-    const std::string picture = "mistakes/" + mistake.step + "/" + mistake.id + ".png";
+    const std::string picture = "exercises/" + mistake.step + "/gallery/" + mistake.id + ".png";
     std::error_code ignored;
     const bool seen = fs::exists(root / picture, ignored);
     return "| " +
@@ -103,7 +103,8 @@ std::string gallery(const fs::path& root, const std::string& what) {
     std::string table = "| what you see | what it is |\n| --- | --- |\n";
     for (std::size_t i = 1; i < words.size(); ++i) {
         const auto found = std::ranges::find(known, words[i], &Mistake::id);
-        if (found == known.end()) throw Error("gallery: mistakes/" + words[0] + ".md has no " + words[i]);
+        if (found == known.end())
+            throw Error("gallery: exercises/" + words[0] + "/mistakes.md has no " + words[i]);
         table += row(root, *found);
     }
     return "\n" + table + "\n";

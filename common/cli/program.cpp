@@ -1,0 +1,315 @@
+// The manners of a step's program: refuse before working, say what it cost, leave no half-written file.
+
+#include "common/cli/program.h"
+
+#include "common/util/big_vector.h"
+#include "common/util/complain.h"
+#include "common/util/error.h"
+#include "common/util/file_bytes.h"
+#include "common/image/image_file.h"
+#include "common/util/parallel.h"
+#include "common/render/progress.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <iostream>
+#include <new>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#if defined(_WIN32)
+#include <io.h>
+#else
+#include <fcntl.h>
+#include <unistd.h>
+#endif
+
+namespace rt {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+// ---- stopping ----
+
+std::atomic<const char*> last_words = ""; ///< what Ctrl-C leaves on stderr, complete with its line end
+
+// Runs in the middle of anything: it may only call what POSIX lists as safe in a signal handler. The program
+// then dies of the signal, as it would without a handler, so that a shell sees which one it was.
+extern "C" void stop(int number) {
+    discard_unfinished_file();
+    const char* const words = last_words.load();
+#if defined(_WIN32)
+    _write(2, words, unsigned(std::strlen(words)));
+#else
+    [[maybe_unused]] const auto written = write(2, words, std::strlen(words));
+#endif
+    std::signal(number, SIG_DFL);
+    std::raise(number); // on POSIX it is delivered when this function returns
+}
+
+/// While one lives, Ctrl-C, kill and a closed terminal end the program with a message. It is installed even
+/// where the parent ignores Ctrl-C (as a shell does for `program &`): a render that nothing stops is worse.
+class StopHandler {
+  public:
+    explicit StopHandler(const std::string& name)
+        : start(stderr_is_terminal() ? "\n" : ""), before(start + name + ": stopped: nothing was written\n"),
+          during(start + name + ": stopped while writing: each file is either complete or as it was\n") {
+        last_words = before.c_str();
+        for (std::size_t i = 0; i < signals.size(); ++i) old[i] = std::signal(signals[i], stop);
+    }
+    ~StopHandler() {
+        for (std::size_t i = 0; i < signals.size(); ++i)
+            std::signal(signals[i], old[i] == SIG_ERR ? SIG_DFL : old[i]);
+        last_words = "";
+    }
+    StopHandler(const StopHandler&) = delete;
+    StopHandler& operator=(const StopHandler&) = delete;
+
+    void writing_begins() { last_words = during.c_str(); }
+
+  private:
+#if defined(SIGHUP)
+    static constexpr std::array signals{SIGINT, SIGTERM, SIGHUP};
+#else
+    static constexpr std::array signals{SIGINT, SIGTERM};
+#endif
+    std::array<void (*)(int), signals.size()> old{};
+    const std::string start; ///< on a terminal the message goes below the progress bar
+    const std::string before, during;
+};
+
+/// A closed stdin, stdout or stderr becomes /dev/null. Left closed, its number would go to the next file that
+/// is opened, and what is meant for the terminal would end up in a picture. What would kill the program where
+/// a write fails becomes an error of that write.
+void make_streams_safe() {
+#if !defined(_WIN32)
+    int file = open("/dev/null", O_RDWR);
+    while (file >= 0 && file <= 2) file = open("/dev/null", O_RDWR);
+    if (file > 2) close(file);
+#endif
+#if defined(SIGXFSZ) && defined(SIGPIPE)
+    std::signal(SIGXFSZ, SIG_IGN); // `ulimit -f` is like a full disk
+    std::signal(SIGPIPE, SIG_IGN); // `| head -1` shall not cost the picture
+#endif
+}
+
+// ---- the files to write ----
+
+struct Outputs {
+    std::vector<std::string> pictures;
+    std::string variance; ///< or empty
+};
+
+/// In small letters, with its dot.
+std::string ending(const std::string& path) {
+    std::string letters = fs::path(path).extension().string();
+    for (char& c : letters)
+        if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
+    return letters;
+}
+
+std::vector<std::string> picture_files(const std::string& out, const std::string& program) {
+    std::error_code ignored;
+    const fs::path last = fs::path(out).filename();
+    if (last.empty() || last == "." || last == ".." || fs::is_directory(out, ignored))
+        throw Error("--out " + out + " is a folder: name a file in it, as in " +
+                    (fs::path(out) / program).string());
+    if (ending(out) == ".png" || ending(out) == ".hdr") return {out};
+    if (!ending(out).empty())
+        throw Error("--out " + out + " ends in " + fs::path(out).extension().string() +
+                    ": a picture is NAME.png, NAME.hdr, or NAME alone for both");
+    return {out + ".png", out + ".hdr"};
+}
+
+bool same_file(const std::string& a, const std::string& b) {
+    std::error_code ignored;
+    return absolute_path(a) == absolute_path(b) || fs::equivalent(a, b, ignored);
+}
+
+/// Every file that will be written, once all of them can be.
+Outputs checked_outputs(const Options& options) {
+    const RenderSettings& picture = options.picture();
+    const Outputs outputs{picture_files(picture.out, options.name()), picture.variance};
+    for (const std::string& path : outputs.pictures) check_writable(path);
+    if (outputs.variance.empty()) return outputs;
+    if (ending(outputs.variance) != ".hdr")
+        throw Error("--variance " + outputs.variance +
+                    " is not an .hdr file: give it a name like variance.hdr");
+    if (picture.samples < 2)
+        throw Error(
+            "--variance needs --samples 2 or more: one sample a pixel says nothing about its variance");
+    for (const std::string& path : outputs.pictures)
+        if (same_file(path, outputs.variance))
+            throw Error("--variance " + outputs.variance +
+                        " is also the picture's file: give it another name");
+    check_writable(outputs.variance);
+    return outputs;
+}
+
+// ---- words ----
+
+template <typename... Values>
+std::string format(const char* pattern, Values... values) {
+    std::array<char, 256> text{};
+    std::snprintf(text.data(), text.size(), pattern, values...);
+    return text.data();
+}
+
+std::string counted(int number, const std::string& what) {
+    return std::to_string(number) + " " + what + (number == 1 ? "" : "s");
+}
+
+std::string headline(const RenderSettings& picture) {
+    const Crop& c = picture.crop;
+    const bool whole = c.x1 - c.x0 == picture.width && c.y1 - c.y0 == picture.height;
+    return (whole ? "" : format("crop %d,%d to %d,%d of ", c.x0, c.y0, c.x1, c.y1)) +
+           format("%d x %d, ", picture.width, picture.height) + counted(picture.samples, "sample") +
+           " a pixel, seed " + std::to_string(picture.seed) + ", " +
+           counted(thread_count(picture), "thread") + "\n";
+}
+
+std::string cost(const Tally& tally, double seconds) {
+    const double rays = double(tally.rays);
+    std::string text = format("time %.2f s, ", seconds) + std::to_string(tally.rays) +
+                       format(" rays, %.2f million rays a second\n", rays / std::max(seconds, 1e-9) * 1e-6);
+    if (tally.rays > 0 && tally.box_tests + tally.triangle_tests > 0)
+        text += format("box tests a ray %.1f, triangle tests a ray %.1f\n", double(tally.box_tests) / rays,
+                       double(tally.triangle_tests) / rays);
+    return text;
+}
+
+void warn_not_finite(const std::string& program, const Film& film) {
+    if (film.not_finite == 0) return;
+    print_error_line(program + ": warning: " + std::to_string(film.not_finite) +
+                     (film.not_finite == 1 ? " sample is" : " samples are") +
+                     " not finite, the first at pixel " + std::to_string(film.first_x) + "," +
+                     std::to_string(film.first_y) + " sample " + std::to_string(film.first_sample + 1) +
+                     ": their pixels are magenta");
+}
+
+// ---- the run ----
+
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Prints a line at once, unless --quiet.
+void say(const RenderSettings& picture, const std::string& line) {
+    if (!picture.quiet) std::cout << line << std::flush;
+}
+
+/// Renders with a progress bar; answers the film and says how long it took.
+Film timed_render(const RenderSettings& picture, const SampleFunction& radiance, double& seconds) {
+    const Clock::time_point start = Clock::now();
+    Progress bar(picture.quiet);
+    Film film = render(picture, radiance, [&bar](float share) { bar.show(share); });
+    seconds = seconds_since(start);
+    return film;
+}
+
+/// What is wrong, for a person.
+std::string explained(const std::exception& problem) {
+    const bool no_memory = dynamic_cast<const std::bad_alloc*>(&problem);
+    return no_memory ? "there is not enough memory: ask for a smaller picture or scene" : problem.what();
+}
+
+/// Writes a picture under a new name to the system's temporary folder or, failing that, the home folder.
+/// Returns its path, or "".
+std::string saved_elsewhere(const std::string& program, const std::string& path, const Image& image) {
+    std::error_code ignored;
+    const char* const home = std::getenv("HOME");
+    for (const fs::path& folder : {fs::temp_directory_path(ignored), fs::path(home ? home : "")}) {
+        const std::string place = (folder / (program + "-" + random_digits() + ending(path))).string();
+        try {
+            if (!folder.is_absolute()) continue;
+            write_image(place, image);
+            fs::permissions(place, fs::perms::owner_read | fs::perms::owner_write,
+                            ignored); // others look there
+            return place;
+        } catch (const std::exception&) { // the next folder may have room
+        }
+    }
+    return "";
+}
+
+/// Returns the exit code: 2 if a picture is not where it should be.
+int write_outputs(const std::string& program, const Outputs& outputs, const Film& film) {
+    std::string wrote;
+    int code = 0;
+    const auto write = [&](const std::string& path, const Image& image) {
+        std::string place = absolute_path(path);
+        try {
+            write_image(path, image);
+        } catch (const std::exception& problem) {
+            place = saved_elsewhere(program, path, image);
+            const std::string fate = place.empty()
+                                         ? "; no other folder takes the new picture either, and it is lost"
+                                         : "; the new picture is " + place;
+            code = complain(program, explained(problem) + fate);
+        }
+        if (!place.empty()) wrote += "wrote " + printable(place) + "\n";
+    };
+    for (const std::string& path : outputs.pictures) write(path, film.mean);
+    if (!outputs.variance.empty()) write(outputs.variance, film.variance);
+    std::cout << wrote << std::flush;
+    return code;
+}
+
+/// Returns the exit code.
+int run(const Options& options, const std::function<void(const RenderCall&)>& body,
+        const std::string& own_headers, StopHandler& handler) {
+    const RenderSettings& picture = options.picture();
+    const Outputs outputs = checked_outputs(options);
+    say(picture, headline(picture));
+    if (!own_headers.empty()) say(picture, "using your " + printable(own_headers) + "\n");
+    BigVector<char> spare; // what the writing will need: better refused now than when the picture is finished
+    spare.reserve(memory_to_write(picture.crop.x1 - picture.crop.x0, picture.crop.y1 - picture.crop.y0));
+    std::optional<Film> film;
+    double render_seconds = 0;
+    const Clock::time_point start = Clock::now();
+    body([&](const SampleFunction& radiance) {
+        if (film) throw std::logic_error("main.cpp calls render() twice");
+        if (seconds_since(start) > 0.1) say(picture, format("scene %.2f s\n", seconds_since(start)));
+        film = timed_render(picture, radiance, render_seconds);
+    });
+    if (!film) throw std::logic_error("main.cpp never calls render()");
+    warn_not_finite(options.name(), *film);
+    say(picture, cost(film->tally, render_seconds));
+    handler.writing_begins();
+    spare = BigVector<char>();
+    return write_outputs(options.name(), outputs, *film);
+}
+
+} // namespace
+
+int run_program(Options& options, int argc, const char* const* argv,
+                const std::function<void(const RenderCall& render)>& body, const std::string& own_headers) {
+    make_streams_safe();
+    StopHandler handler(options.name());
+    try {
+        int code = 0;
+        if (options.parse(argc, argv)) {
+            use_threads(options.picture().threads);
+            code = run(options, body, own_headers, handler);
+        }
+        if (!std::cout.flush())
+            throw Error(
+                "stdout takes no more text (is the disk full, or did the reader leave?); all else went well");
+        return code;
+    } catch (const std::exception& problem) {
+        return complain(options.name(), explained(problem));
+    }
+}
+
+} // namespace rt

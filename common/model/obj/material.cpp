@@ -1,0 +1,198 @@
+// The materials of an OBJ file: their libraries, their textures, and their numbers in our terms.
+#include "common/model/obj/material.h"
+
+#include "common/util/complain.h"
+#include "common/util/error.h"
+#include "common/util/file_bytes.h"
+#include "common/model/obj/find_file.h"
+#include "common/model/obj/mask.h"
+#include "common/util/text.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace rt {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string with_spaces(std::string name) {
+    std::replace(name.begin(), name.end(), inner_space, ' ');
+    return name;
+}
+
+/// Warns of a file that is found by another name than the one in `paths`.
+void warn_of_case(const std::string& where, const std::string& name, const fs::path& file,
+                  const std::vector<fs::path>& paths) {
+    if (std::find(paths.begin(), paths.end(), file) == paths.end())
+        warn(where + ": " + in_quotes(name) + " is not there, " + file.string() + " is taken for it");
+}
+
+/// Eight by eight, magenta and black: a colour that nobody mistakes for the model's own.
+Bitmap checker() {
+    Bitmap bitmap{8, 8, {}, {}, ""};
+    for (int i = 0; i < 64; ++i) {
+        const std::uint16_t bright = (i + i / 8) % 2 == 0 ? 65535 : 0;
+        bitmap.values.insert(bitmap.values.end(), {bright, std::uint16_t(0), bright});
+    }
+    return bitmap;
+}
+
+float clamped(float value, float low, float high, const std::string& where, const char* what) {
+    if (value >= low && value <= high) return value;
+    const float kept = value < low ? low : high;
+    std::ostringstream message;
+    message << where << ": " << what << " is " << value << " and is taken as " << kept;
+    warn(message.str());
+    return kept;
+}
+
+vec3 clamped(const float (&value)[3], float high, const std::string& where, const char* what) {
+    vec3 kept(0.0f);
+    for (int i = 0; i < 3; ++i) kept[i] = clamped(value[i], 0, high, where, what);
+    return kept;
+}
+
+bool asks_for_reflection(int illum) {
+    return illum == 3 || illum == 5 || illum == 8;
+}
+
+bool asks_for_refraction(int illum) {
+    return illum == 4 || illum == 6 || illum == 7 || illum == 9;
+}
+
+vec3 diffuse_of(const tinyobj::material_t& source, const std::string& where) {
+    if (source.diffuse[0] != unstated) return clamped(source.diffuse, 1, where, "Kd");
+    if (!source.diffuse_texname.empty()) return vec3(1.0f); // the texture alone is the colour
+    const bool shines = source.emission[0] > 0 || source.emission[1] > 0 || source.emission[2] > 0;
+    return shines ? vec3(0.0f) : ObjMaterial{}.diffuse;
+}
+
+float reflectivity_of(const tinyobj::material_t& source, const std::string& where) {
+    const float metal = clamped(source.metallic, 0, 1, where, "Pm");
+    if (!asks_for_reflection(source.illum)) return metal;
+    const vec3 specular = clamped(source.specular, 1, where, "Ks");
+    return std::max(metal, (specular.x + specular.y + specular.z) / 3);
+}
+
+} // namespace
+
+void warn(const std::string& message) {
+    print_error_line("warning: " + message);
+}
+
+/// The files of an mtllib line.
+std::vector<fs::path> MaterialLibraries::find(const std::string& names) const {
+    const std::vector<fs::path> folders{fs::path(obj_path).parent_path()};
+    const NamesOfLine line = names_of_line(names);
+    std::vector<std::string> parts = line.parts;
+    if (parts.size() > 1 && !existing(candidates(line.whole, folders)).empty()) parts = {line.whole};
+    std::vector<fs::path> found;
+    for (const std::string& name : parts) {
+        const std::vector<fs::path> paths = candidates(name, folders);
+        const std::vector<fs::path> there = existing(paths);
+        if (there.empty()) {
+            warn(obj_path + ": material file " + in_quotes(name) +
+                 " not found, its materials are grey; tried " + listed(paths));
+            continue;
+        }
+        warn_of_case(obj_path, name, there[0], paths);
+        found.push_back(there[0]);
+    }
+    return found;
+}
+
+bool MaterialLibraries::operator()(const std::string& names, std::vector<tinyobj::material_t>* materials,
+                                   std::map<std::string, int>* numbers, std::string* warnings,
+                                   std::string* errors) {
+    for (const fs::path& file : find(names)) {
+        if (!known.insert(one_name_of(file)).second) continue;
+        std::istringstream stream(scan_mtl(file.string(), read_file(file.string())));
+        tinyobj::LoadMtl(numbers, materials, &stream, warnings, errors);
+        files.resize(materials->size(), file);
+    }
+    return true; // tinyobjloader need not look for it once more
+}
+
+/// What `known` says of the picture that `mtl` calls `name`, else what `read` makes of its file. If that is
+/// not there, or cannot be read from any place where it is, what `substitute` makes, with a warning that
+/// says `instead`.
+int TextureLoader::find_or_read(Known& known, const fs::path& mtl, const std::string& name, const Read& read,
+                                const std::string& instead, const std::function<int()>& substitute) {
+    const std::string missing = "missing " + name;
+    if (const auto place = known.find(missing); place != known.end()) return place->second;
+    const std::vector<fs::path> paths = candidates(name, {mtl.parent_path(), obj_path.parent_path()});
+    std::string reason = "no such file";
+    for (const fs::path& path : existing(paths)) {
+        const std::string key = one_name_of(path);
+        if (const auto place = known.find(key); place != known.end()) return place->second;
+        warn_of_case(mtl.string(), name, path, paths);
+        try {
+            return known[key] = read(path.string());
+        } catch (const Error& error) {
+            reason = error.what();
+        }
+    }
+    warn(mtl.string() + ": texture " + in_quotes(name) + " cannot be used, " + instead + "; tried " +
+         listed(paths) + " (" + reason + ")");
+    return known[missing] = substitute();
+}
+
+Bitmap TextureLoader::read_picture(const std::string& file) {
+    Bitmap bitmap = read_bitmap(file, pixels_left);
+    pixels_left -= std::int64_t(bitmap.width) * bitmap.height;
+    if (!bitmap.flaw.empty()) warn(file + ": " + bitmap.flaw + " and is drawn as far as it can be read");
+    return bitmap;
+}
+
+int TextureLoader::add_texture(Bitmap bitmap) {
+    fill_hidden_colours(bitmap);
+    bitmaps.push_back(std::move(bitmap));
+    return int(bitmaps.size()) - 1;
+}
+
+int TextureLoader::add_mask(const Bitmap& bitmap) {
+    Mask mask = mask_of(bitmap);
+    if (mask.opacity.empty()) return -1;
+    masks.push_back(std::move(mask));
+    return int(masks.size()) - 1;
+}
+
+int TextureLoader::load(const fs::path& mtl, const std::string& name) {
+    return find_or_read(
+        known_textures, mtl, name, [&](const std::string& file) { return add_texture(read_picture(file)); },
+        "a magenta checker takes its place", [&] { return add_texture(checker()); });
+}
+
+int TextureLoader::load_mask(const fs::path& mtl, const std::string& name) {
+    return find_or_read(
+        known_masks, mtl, name, [&](const std::string& file) { return add_mask(read_picture(file)); },
+        "its material has no holes", [] { return -1; });
+}
+
+int TextureLoader::mask_of_texture(int texture) {
+    if (texture < 0 || bitmaps[std::size_t(texture)].opacity.empty()) return -1;
+    if (const auto place = texture_masks.find(texture); place != texture_masks.end()) return place->second;
+    return texture_masks[texture] = add_mask(bitmaps[std::size_t(texture)]);
+}
+
+ObjMaterial converted(const tinyobj::material_t& source, const fs::path& mtl, TextureLoader& textures) {
+    ObjMaterial material;
+    material.name = with_spaces(source.name);
+    const std::string where = mtl.string() + ": material " + in_quotes(material.name);
+    material.diffuse = diffuse_of(source, where);
+    material.emission = clamped(source.emission, infinity, where, "Ke");
+    material.reflectivity = reflectivity_of(source, where);
+    material.ior = clamped(source.ior, 1, 4, where, "Ni");
+    material.glass = asks_for_refraction(source.illum) || (source.dissolve < 1 && material.ior > 1);
+    if (source.dissolve < 1 && !material.glass)
+        textures.unfollowed.add(mtl.string(), "d below 1 (or Tr above 0) without refraction is drawn opaque",
+                                material.name);
+    if (!source.diffuse_texname.empty()) material.texture = textures.load(mtl, source.diffuse_texname);
+    if (!material.glass)
+        material.mask = source.alpha_texname.empty() ? textures.mask_of_texture(material.texture)
+                                                     : textures.load_mask(mtl, source.alpha_texname);
+    return material;
+}
+
+} // namespace rt

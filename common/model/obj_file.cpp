@@ -1,0 +1,141 @@
+// A Wavefront OBJ file as plain arrays: read in chunks, which are put together; then cut into triangles, each
+// with its material.
+#include "common/model/obj_file.h"
+
+#include "common/util/error.h"
+#include "common/model/obj/chunks.h"
+#include "common/model/obj/find_file.h"
+#include "common/model/obj/join.h"
+#include "common/model/obj/material.h"
+#include "common/util/text.h"
+#include "common/model/obj/triangles.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <span>
+
+namespace rt {
+namespace {
+
+/// The materials of the file and its libraries, while its lines are read in order.
+class Materials {
+  public:
+    explicit Materials(const std::string& path) : libraries(path) {}
+
+    void read(const MaterialLine& line) {
+        if (!line.is_library) {
+            const auto place = line.name.empty() ? numbers.end() : numbers.find(unquoted(line.name));
+            current = place == numbers.end() ? -1 : place->second;
+        } else if (names.insert(line.name).second) {
+            std::string warnings, errors;
+            libraries(line.name, &list, &numbers, &warnings, &errors);
+        }
+    }
+
+    int current = -1; ///< -1 is the default
+    MaterialLibraries libraries;
+    std::vector<tinyobj::material_t> list;
+
+  private:
+    std::map<std::string, int> numbers;
+    std::set<std::string> names; ///< of the libraries so far
+};
+
+/// Each chunk's faces into triangles. `file.materials` holds numbers in `materials.list` then.
+void cut_faces(std::deque<ParsedChunk>& chunks, Materials& materials, Triangles& triangles) {
+    int smoothing = -1;
+    for (ParsedChunk& kept : chunks) {
+        const ParsedChunk chunk = std::move(kept); // and its memory is given back
+        auto material = chunk.material_lines.begin();
+        auto group = chunk.smoothing_lines.begin();
+        const ObjCorner* corner = chunk.corners.data();
+        for (std::size_t face = 0; face < chunk.face_sizes.size(); ++face) {
+            while (material != chunk.material_lines.end() && material->face == face)
+                materials.read(*material++);
+            while (group != chunk.smoothing_lines.end() && group->face == face) smoothing = group++->group;
+            triangles.add_face({corner, chunk.face_sizes[face]}, {materials.current, smoothing});
+            corner += chunk.face_sizes[face];
+        }
+        while (material != chunk.material_lines.end()) materials.read(*material++);
+        if (group != chunk.smoothing_lines.end()) smoothing = chunk.smoothing_lines.back().group;
+    }
+}
+
+/// Converts the materials that are used, in the order of their files; the default, if it is used, comes last.
+void keep_used_materials(const std::string& path, const Materials& materials, ObjFile& file) {
+    const std::size_t count = materials.list.size(); // stands for the default, which is called -1 so far
+    std::vector<int> number(count + 1, -1);
+    for (int& material : file.materials) {
+        if (material < 0) material = int(count);
+        number[std::size_t(material)] = 0;
+    }
+    ObjMaterial plain; // where the file names none: grey, or the colors of the vertices alone
+    if (!file.colors.empty()) plain.diffuse = vec3(1);
+    TextureLoader textures(path);
+    for (std::size_t i = 0; i <= count; ++i) {
+        if (number[i] < 0) continue;
+        number[i] = int(file.material_list.size());
+        file.material_list.push_back(
+            i < count ? converted(materials.list[i], materials.libraries.file_of(i), textures) : plain);
+    }
+    for (int& material : file.materials) material = number[std::size_t(material)];
+    file.textures = std::move(textures.bitmaps);
+    file.masks = std::move(textures.masks);
+    textures.unfollowed.tell();
+}
+
+void warn_of_unknown_materials(const std::string& path, const ObjSummary& summary,
+                               const Materials& materials) {
+    if (!summary.names_library && !summary.materials.empty())
+        warn(path + ": names materials (usemtl) but no material file (mtllib); they are grey");
+    if (!materials.libraries.found_any()) return;
+    std::set<std::string_view> known;
+    for (const tinyobj::material_t& material : materials.list) known.insert(material.name);
+    for (const auto& [name, line] : summary.materials) {
+        if (known.count(unquoted(name)) == 0)
+            warn(at_line(path, line,
+                         "material " + in_quotes(name) + " is in none of the material files; it is grey"));
+    }
+}
+
+void warn_of_skipped(const std::string& path, const SkippedLines& skipped) {
+    const auto say = [&](const Skipped& lines, const std::string& what) {
+        if (lines.count == 0) return;
+        const std::string others =
+            lines.count == 1 ? "" : " (the first of " + std::to_string(lines.count) + ")";
+        warn(at_line(path, lines.line, what + others));
+    };
+    say(skipped.normals, "a normal that is not finite is left out");
+    say(skipped.uvs, "a texture coordinate that is not finite is left out");
+    say(skipped.materials, "usemtl names no material; what follows has the default one");
+    say(skipped.libraries, "mtllib names no file and is left out");
+    say(skipped.normal_corners, "a corner names a normal that does not exist and gets none");
+    say(skipped.uv_corners, "a corner names a texture coordinate that does not exist and gets none");
+}
+
+} // namespace
+
+ObjFile read_obj(const std::string& path, const ObjReading& reading) {
+    ObjFile file;
+    std::deque<ParsedChunk> chunks = read_chunks(path, reading);
+    const ObjSummary summary = join_chunks(path, chunks, file);
+    file.triangles.reserve(summary.corners - 2 * summary.faces);
+    file.materials.reserve(summary.corners - 2 * summary.faces);
+
+    Materials materials(path);
+    Triangles triangles(file, summary.has_smoothing);
+    cut_faces(chunks, materials, triangles);
+    warn_of_unknown_materials(path, summary, materials);
+    warn_of_skipped(path, summary.skipped);
+    if (file.triangles.empty()) throw Error(path + ": none of its faces has an area");
+    if (triangles.without_area() > 0)
+        warn(path + ": " + std::to_string(triangles.without_area()) + " triangles without area are left out");
+    if (const std::size_t turned = triangles.turn_faces(); turned > 0)
+        warn(path + ": " + std::to_string(turned) + " of " + std::to_string(summary.faces) +
+             " faces wind against their normals and are turned");
+    keep_used_materials(path, materials, file);
+    return file;
+}
+
+} // namespace rt

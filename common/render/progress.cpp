@@ -1,0 +1,99 @@
+// Draws one line over and over with a carriage return: it works on every terminal and needs no colour.
+
+#include "common/render/progress.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <string>
+
+#if defined(_WIN32)
+#include <io.h>
+#else
+#include <sys/ioctl.h>
+#include <unistd.h>
+#endif
+
+namespace rt {
+
+namespace {
+
+/// 1 is stdout, 2 is stderr, on every system.
+bool is_terminal(int stream) {
+#if defined(_WIN32)
+    return _isatty(stream) != 0;
+#else
+    return isatty(stream) != 0;
+#endif
+}
+
+/// Characters a line of the terminal holds. The last stays free: a terminal wraps when it is written.
+int columns() {
+#if defined(TIOCGWINSZ)
+    winsize size{};
+    if (ioctl(2, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) return size.ws_col - 1;
+#endif
+    return 79;
+}
+
+/// "0:07", "12:30", "1:02:03"
+std::string clock_time(double seconds) {
+    const long long whole = (long long)(std::min(seconds, 1e9) + 0.5);
+    std::array<char, 32> text{};
+    if (whole >= 3600)
+        std::snprintf(text.data(), text.size(), "%lld:%02lld:%02lld", whole / 3600, whole / 60 % 60,
+                      whole % 60);
+    else
+        std::snprintf(text.data(), text.size(), "%lld:%02lld", whole / 60, whole % 60);
+    return text.data();
+}
+
+/// As much of bar, percent and time left as `width` characters hold: the bar goes first, the percent last.
+std::string progress_line(float share, double seconds, int width) {
+    std::array<char, 8> percent{};
+    std::snprintf(percent.data(), percent.size(), "%3d %%", int(share * 100));
+    const std::string rest =
+        share > 0 ? "  " + clock_time(seconds * (1 - double(share)) / double(share)) + " left" : "";
+    std::string line = percent.data();
+    if (int(line.size() + rest.size()) <= width) line += rest;
+    const int bar = std::min(40, width - 25);
+    if (bar >= 10) {
+        const int full = int(share * float(bar));
+        line = "[" + std::string(std::size_t(full), '#') + std::string(std::size_t(bar - full), '.') + "] " +
+               line;
+    }
+    return int(line.size()) <= width ? line : "";
+}
+
+/// Puts `line` in the place of whatever stood there.
+void draw(std::string line, int width) {
+    line.resize(std::size_t(std::max(width, 0)), ' ');
+    line = "\r" + line + "\r";
+    std::fwrite(line.data(), 1, line.size(), stderr);
+    std::fflush(stderr);
+}
+
+} // namespace
+
+bool stderr_is_terminal() {
+    return is_terminal(2);
+}
+
+Progress::Progress(bool quiet)
+    : visible(!quiet && is_terminal(1) && is_terminal(2)), start(std::chrono::steady_clock::now()),
+      last(start) {}
+
+Progress::~Progress() {
+    if (visible) draw("", columns());
+}
+
+void Progress::show(float share) {
+    const auto now = std::chrono::steady_clock::now();
+    if (!visible || now - last < std::chrono::milliseconds(100)) return;
+    last = now;
+    const int width = columns();
+    const double seconds = std::chrono::duration<double>(now - start).count();
+    draw(progress_line(std::clamp(share, 0.0f, 1.0f), seconds, width), width);
+}
+
+} // namespace rt

@@ -1,0 +1,217 @@
+// Hands out tiles to threads. What makes the picture independent of them: a pixel belongs to one tile, its
+// samples are added in order by one thread, and its random numbers are keyed by its place in the whole.
+
+#include "common/render/render.h"
+
+#include "common/util/cores.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <exception>
+#include <limits>
+#include <mutex>
+#include <system_error>
+#include <thread>
+#include <tuple>
+#include <vector>
+
+namespace rt {
+
+namespace {
+
+/// Side of a tile in pixels: small when there are few, so that the last thread does not work alone for long.
+int tile_side(const Crop& crop, int threads) {
+    const std::int64_t pixels = std::int64_t(crop.x1 - crop.x0) * (crop.y1 - crop.y0);
+    int side = 16;
+    while (side > 1 && pixels < std::int64_t(threads) * 8 * side * side) side /= 2;
+    return side;
+}
+
+/// The crop cut into squares, counted in reading order.
+struct Tiles {
+    Crop crop;
+    int side;
+
+    std::int64_t columns() const { return (crop.x1 - crop.x0 + side - 1) / side; }
+    std::int64_t rows() const { return (crop.y1 - crop.y0 + side - 1) / side; }
+    std::int64_t count() const { return columns() * rows(); }
+    Crop operator[](std::int64_t i) const {
+        const int x = crop.x0 + int(i % columns()) * side;
+        const int y = crop.y0 + int(i / columns()) * side;
+        return {x, y, std::min(x + side, crop.x1), std::min(y + side, crop.y1)};
+    }
+};
+
+int requested_threads(const RenderSettings& picture) {
+    return picture.threads > 0 ? picture.threads : usable_cores();
+}
+
+/// An empty crop, which a RenderSettings has until a command line is parsed, stands for the whole.
+Crop rendered_part(const RenderSettings& picture) {
+    const bool empty = picture.crop.x1 == 0 && picture.crop.y1 == 0;
+    return empty ? Crop{0, 0, picture.width, picture.height} : picture.crop;
+}
+
+Tiles tiles_of(const RenderSettings& picture) {
+    const Crop part = rendered_part(picture);
+    return {part, tile_side(part, requested_threads(picture))};
+}
+
+/// The samples of one pixel, in order. In doubles a sum of 2^20 equal floats is exact: constants stay.
+class PixelSum {
+  public:
+    void add(vec3 radiance) {
+        sum += glm::dvec3(radiance);
+        ++count;
+        // Welford 1962: the squares of differences, where a difference of squares would cancel.
+        const double value = double(luminance(radiance));
+        const double before = value - mean_luminance;
+        mean_luminance += before / count;
+        squares += before * (value - mean_luminance);
+    }
+    vec3 mean() const { return vec3(sum / double(count)); }
+    /// Of the mean: the variance of one sample, which is squares / (count - 1), over count.
+    float variance() const { return count > 1 ? float(squares / (double(count) * (count - 1))) : 0.0f; }
+
+  private:
+    int count = 0;
+    glm::dvec3 sum{0.0};
+    double mean_luminance = 0;
+    double squares = 0;
+};
+
+/// What one thread has found besides colours.
+struct Findings {
+    std::uint64_t not_finite = 0;
+    int y = std::numeric_limits<int>::max(), x = 0, sample = 0; ///< the first one's place
+    Tally tally;
+
+    void keep_first(int other_y, int other_x, int other_sample) {
+        if (std::tie(other_y, other_x, other_sample) < std::tie(y, x, sample))
+            std::tie(y, x, sample) = std::tie(other_y, other_x, other_sample);
+    }
+    Findings& operator+=(const Findings& other) {
+        not_finite += other.not_finite;
+        keep_first(other.y, other.x, other.sample);
+        tally += other.tally;
+        return *this;
+    }
+};
+
+class Job {
+  public:
+    Job(const RenderSettings& wanted, const SampleFunction& function,
+        const std::function<void(float)>& report)
+        : picture(wanted), tiles(tiles_of(wanted)), radiance(function), progress(report) {
+        film.mean = Image(tiles.crop.x1 - tiles.crop.x0, tiles.crop.y1 - tiles.crop.y0);
+        film.variance = Image(film.mean.width, film.mean.height);
+    }
+
+    Film run(int threads);
+
+  private:
+    void render_pixel(int x, int y, Findings& found);
+    void render_tile(const Crop& tile, Findings& found);
+    void finish_tile();
+    void work() noexcept;
+    void start(std::vector<std::thread>& workers, int threads);
+
+    const RenderSettings& picture;
+    const Tiles tiles;
+    const SampleFunction& radiance;
+    const std::function<void(float)>& progress;
+    Film film; ///< every pixel is written by one thread, so the images need no lock
+    std::atomic<std::int64_t> next = 0;
+    std::mutex mutex; ///< of all below
+    std::int64_t finished = 0;
+    Findings total;
+    std::exception_ptr failure;
+};
+
+void Job::render_pixel(int x, int y, Findings& found) {
+    PixelSum pixel;
+    bool finite = true;
+    for (int i = 0; i < picture.samples; ++i) {
+        Sample sample{x, y, i, picture.samples, Random(x, y, i, picture.seed), picture.seed};
+        const vec3 value = radiance(sample);
+        if (is_finite(value)) {
+            pixel.add(value);
+        } else {
+            finite = false;
+            ++found.not_finite;
+            found.keep_first(y, x, i);
+        }
+    }
+    const vec3 unknown(std::numeric_limits<float>::quiet_NaN());
+    const int column = x - tiles.crop.x0, row = y - tiles.crop.y0;
+    film.mean(column, row) = finite ? pixel.mean() : unknown;
+    film.variance(column, row) = finite ? vec3(pixel.variance()) : unknown;
+}
+
+void Job::render_tile(const Crop& tile, Findings& found) {
+    for (int y = tile.y0; y < tile.y1; ++y)
+        for (int x = tile.x0; x < tile.x1; ++x) render_pixel(x, y, found);
+}
+
+void Job::finish_tile() {
+    const std::lock_guard lock(mutex);
+    ++finished;
+    if (progress) progress(float(double(finished) / double(tiles.count())));
+}
+
+// One thread's share of the work. What is thrown here is kept for the caller and ends the other threads soon.
+void Job::work() noexcept {
+    Findings found;
+    try {
+        for (std::int64_t i = next++; i < tiles.count(); i = next++) {
+            render_tile(tiles[i], found);
+            finish_tile();
+        }
+    } catch (...) {
+        next = tiles.count();
+        const std::lock_guard lock(mutex);
+        if (!failure) failure = std::current_exception();
+    }
+    found.tally = tally; // a new thread's starts at zero
+    const std::lock_guard lock(mutex);
+    total += found;
+}
+
+/// Fewer threads than asked for, where the system gives no more, still finish the picture.
+void Job::start(std::vector<std::thread>& workers, int threads) {
+    workers.reserve(std::size_t(threads));
+    try {
+        while (int(workers.size()) < threads) workers.emplace_back([this] { work(); });
+    } catch (const std::system_error&) {
+        if (workers.empty()) throw;
+    }
+}
+
+Film Job::run(int threads) {
+    std::vector<std::thread> workers;
+    start(workers, threads);
+    for (std::thread& worker : workers) worker.join();
+    if (failure) std::rethrow_exception(failure);
+    film.not_finite = total.not_finite;
+    if (total.not_finite > 0) {
+        film.first_x = total.x;
+        film.first_y = total.y;
+        film.first_sample = total.sample;
+    }
+    film.tally = total.tally;
+    return std::move(film);
+}
+
+} // namespace
+
+int thread_count(const RenderSettings& picture) {
+    return int(std::min<std::int64_t>(requested_threads(picture), tiles_of(picture).count()));
+}
+
+Film render(const RenderSettings& picture, const SampleFunction& radiance,
+            const std::function<void(float)>& progress) {
+    return Job(picture, radiance, progress).run(thread_count(picture));
+}
+
+} // namespace rt

@@ -1,0 +1,40 @@
+// Where big vectors get their memory.
+#include "common/util/big_vector.h"
+
+#include <cstdlib>
+
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
+
+namespace rt {
+namespace {
+
+constexpr std::size_t widest_border = 128;
+constexpr std::size_t huge_page = std::size_t(2) << 20;
+
+bool in_huge_pages(std::size_t bytes) {
+    return bytes >= huge_page / 2;
+}
+std::size_t border(std::size_t bytes) {
+    return in_huge_pages(bytes) ? huge_page : widest_border;
+}
+
+} // namespace
+
+void* big_allocate(std::size_t bytes) {
+    // Whole pages only: what lies behind would belong to others.
+    const std::size_t whole = (bytes + huge_page - 1) / huge_page * huge_page;
+    void* const memory =
+        ::operator new(in_huge_pages(bytes) ? whole : bytes, std::align_val_t(border(bytes)));
+#ifdef __linux__
+    if (in_huge_pages(bytes)) madvise(memory, whole, MADV_HUGEPAGE);
+#endif
+    return memory;
+}
+
+void big_free(void* memory, std::size_t bytes) noexcept {
+    ::operator delete(memory, std::align_val_t(border(bytes)));
+}
+
+} // namespace rt

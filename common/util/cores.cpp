@@ -1,0 +1,66 @@
+// Linux: sched_getaffinity(2), and the quota of control groups, version 2. Other systems: all cores.
+#include "common/util/cores.h"
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <thread>
+
+#if defined(__linux__)
+#include <sched.h>
+#endif
+
+namespace rt {
+namespace {
+
+int cores_of_affinity() {
+    const int all = std::max(1, int(std::thread::hardware_concurrency()));
+#if defined(__linux__)
+    cpu_set_t allowed;
+    if (sched_getaffinity(0, sizeof allowed, &allowed) == 0) return std::max(1, CPU_COUNT(&allowed));
+#endif
+    return all;
+}
+
+std::string first_line(const std::filesystem::path& path) {
+    std::string line;
+    std::ifstream stream(path);
+    std::getline(stream, line);
+    return line;
+}
+
+/// The least quota of this process's control group and those around it; 0 without any.
+int cores_of_groups() {
+    std::string own;
+    std::ifstream groups("/proc/self/cgroup");
+    while (std::getline(groups, own) && own.rfind("0::/", 0) != 0) {
+    } // "0::/outer/inner" is that of version 2
+    if (!groups) return 0;
+    const std::filesystem::path root = "/sys/fs/cgroup";
+    int least = 0;
+    for (std::filesystem::path group = own.substr(4);; group = group.parent_path()) {
+        const int cores = cores_of_quota(first_line(root / group / "cpu.max"));
+        if (cores > 0 && (least == 0 || cores < least)) least = cores;
+        if (group.empty()) return least;
+    }
+}
+
+} // namespace
+
+int cores_of_quota(std::string_view cpu_max) {
+    long long quota = 0, period = 0;
+    const char* const end = cpu_max.data() + cpu_max.size();
+    const auto [blank, problem] = std::from_chars(cpu_max.data(), end, quota); // "max" is no number
+    if (problem != std::errc() || blank == end || *blank != ' ') return 0;
+    if (std::from_chars(blank + 1, end, period).ec != std::errc() || quota <= 0 || period <= 0) return 0;
+    return int(std::min<long long>((quota - 1) / period + 1, 1 << 20));
+}
+
+int usable_cores() {
+    const int allowed = cores_of_affinity(), quota = cores_of_groups();
+    return quota > 0 ? std::min(allowed, quota) : allowed;
+}
+
+} // namespace rt

@@ -1,0 +1,83 @@
+// Facts about quads: where a ray meets one, where u and v run, and which way it faces.
+#include "03_mirror/quad.h"
+#include "tests/03_mirror/step.h"
+
+using namespace rt;
+
+namespace {
+
+/// Skewed, oblique, and with sides of different length.
+const Quad quad{{1, -2, 3}, {2, 0.5f, -1}, {-0.3f, 1.2f, 0.7f}, 5};
+const vec3 quad_normal = normalize(cross(quad.edge_u, quad.edge_v));
+
+vec3 on_quad(float u, float v) {
+    return quad.corner + u * quad.edge_u + v * quad.edge_v;
+}
+
+/// A slanting ray to this point of the quad, which it meets at t = 1.5, from the side that it faces.
+Ray to_quad(float u, float v) {
+    const vec3 direction = -2.0f * quad_normal + 0.7f * beside(quad_normal);
+    return {on_quad(u, v) - 1.5f * direction, direction};
+}
+
+} // namespace
+
+TEST_CASE("a quad is met between its edges and missed beyond them") {
+    for (const float inside : {0.001f, 0.3f, 0.999f})
+        for (const float other : {0.001f, 0.6f, 0.999f}) {
+            INFO("u = " << inside << ", v = " << other);
+            CHECK(t_of(intersect(quad, to_quad(inside, other))) == approx(1.5f));
+        }
+    for (const float outside : {-0.5f, -0.001f, 1.001f, 1.5f})
+        for (const float other : {-0.2f, 0.001f, 0.5f, 0.999f}) {
+            INFO("outside = " << outside << ", other = " << other);
+            CHECK_FALSE_MESSAGE(intersect(quad, to_quad(outside, other)), "beyond the edge across u");
+            CHECK_FALSE_MESSAGE(intersect(quad, to_quad(other, outside)), "beyond the edge across v");
+        }
+}
+
+TEST_CASE("a quad is met on both sides of its diagonal") {
+    CHECK(intersect(quad, to_quad(0.2f, 0.2f)));
+    CHECK_MESSAGE(intersect(quad, to_quad(0.9f, 0.9f)),
+                  "u + v > 1 is the other half: that would be a triangle");
+}
+
+TEST_CASE("t on a quad counts in lengths of the direction, within the ray's interval") {
+    Ray ray = to_quad(0.4f, 0.7f);
+    CHECK(t_of(intersect(quad, ray)) == approx(1.5f));
+    CHECK(t_of(intersect(quad, Ray{ray.origin, 2.0f * ray.direction})) == approx(0.75f));
+    CHECK_FALSE_MESSAGE(intersect(quad, Ray{ray.origin, -ray.direction}), "it lies behind");
+    CHECK_FALSE_MESSAGE(intersect(quad, Ray{ray.origin, ray.direction, 0, 1.4f}), "it lies beyond t_max");
+    CHECK_FALSE_MESSAGE(intersect(quad, Ray{ray.origin, ray.direction, 1.6f}), "it lies before t_min");
+}
+
+TEST_CASE("a ray along a quad misses it") {
+    const Quad flat_quad{{0, 1, 0}, {2, 0, 0}, {0, 0, -3}, 0};
+    CHECK_FALSE(intersect(flat_quad, Ray{{-1, 1, -1}, {1, 0, 0}}));
+    CHECK_FALSE(intersect(flat_quad, Ray{{-1, 2, -1}, {1, 0, 0.2f}}));
+}
+
+TEST_CASE("u and v of a quad run along its edges from the corner") {
+    for (const vec2 uv : {vec2(0.25f, 0.75f), vec2(0.9f, 0.1f), vec2(0, 1), vec2(1, 0), vec2(-0.5f, 2)})
+        CHECK_MESSAGE(quad_uv(quad, dvec3(on_quad(uv.x, uv.y))) == approx(uv),
+                      "u along edge_u and v along edge_v, also if they are not at right angles");
+    const Ray ray = to_quad(0.25f, 0.75f);
+    const Hit hit = surface(quad, Ray{ray.origin, ray.direction, 0, 1.5f});
+    CHECK(hit.uv == approx(vec2(0.25f, 0.75f)));
+    CHECK(hit.position == approx(on_quad(0.25f, 0.75f)));
+    CHECK(hit.material == 5);
+}
+
+TEST_CASE("a quad faces the cross product of its edges, and its back is turned to who looks at it") {
+    const Ray ray = to_quad(0.4f, 0.7f);
+    const Hit front = surface(quad, Ray{ray.origin, ray.direction, 0, 1.5f});
+    CHECK(front.normal == approx(quad_normal));
+    CHECK_FALSE(front.inside);
+    CHECK(front.geometric_normal == approx(quad_normal));
+    const Ray from_behind{at(ray, 3), -ray.direction};
+    CHECK(t_of(intersect(quad, from_behind)) == approx(1.5f));
+    const Hit back = surface(quad, Ray{from_behind.origin, from_behind.direction, 0, 1.5f});
+    CHECK(back.normal == approx(-quad_normal));
+    CHECK(back.inside);
+    CHECK(back.uv == approx(vec2(0.4f, 0.7f)));
+}

@@ -1,0 +1,243 @@
+// Facts about a boundary of glass: where a refracted ray goes, where none goes on, how much is reflected, and
+// what a medium leaves of it.
+#include "04_refraction/glass.h"
+#include "tests/04_refraction/step.h"
+
+using namespace rt;
+
+namespace {
+
+/// Which angle a direction that goes away below `normal` makes with -normal, degrees.
+float angle_below(vec3 direction) {
+    return glm::degrees(std::atan2(dot(direction, tangent), -dot(direction, normal)));
+}
+
+} // namespace
+
+// ----------------------------------------------------------------------------------------- Snell's law
+
+TEST_CASE("light that meets glass at 45 degrees goes on at 28.1255 degrees") {
+    const auto direction = refract(arriving(45), normal, 1 / 1.5f);
+    REQUIRE_MESSAGE(direction, "air to glass: light always gets in");
+    CHECK_MESSAGE(
+        angle_below(*direction) == approx(28.1255f),
+        "45: not bent at all; none or 90: eta upside down, it is n_i / n_t; -28: the tangent part must "
+        "not turn round; above 90: the normal part must keep its sign");
+}
+
+TEST_CASE("light that leaves glass at 28.1255 degrees goes on at 45 degrees") {
+    const auto direction = refract(arriving(28.1255f), normal, 1.5f);
+    REQUIRE(direction);
+    CHECK_MESSAGE(angle_below(*direction) == approx(45), "18.3: eta upside down");
+}
+
+TEST_CASE("n sin(theta) is the same on both sides of a boundary, and no ray leaves the plane of incidence") {
+    for (const float eta : {1 / 2.417f, 1 / 1.5f, 1 / 1.333f, 0.9f, 1.0f, 1.1f, 1.333f, 1.5f, 2.417f}) {
+        for (float degrees = 0; degrees < 89.5f; degrees += 3.7f) {
+            const float sin_t = eta * std::sin(glm::radians(degrees));
+            if (sin_t > 0.9999f) continue; // total reflection, which others check
+            INFO("eta = n_i / n_t = ", eta, ", angle of incidence ", degrees);
+            const auto direction = refract(arriving(degrees), normal, eta);
+            REQUIRE(direction);
+            CHECK(dot(*direction, tangent) / 2 == approx(sin_t));
+            CHECK_MESSAGE(length(*direction) == approx(2), "the length of the direction stays, 2 here");
+            CHECK(dot(*direction, binormal) == approx(0));
+            CHECK_MESSAGE(dot(*direction, normal) < 0, "it goes on to the far side");
+        }
+    }
+}
+
+TEST_CASE("refracted_cosine gives the cosine of the angle beyond the boundary") {
+    const auto into = refracted_cosine(cosine(45), 1 / 1.5f);
+    REQUIRE(into);
+    CHECK_MESSAGE(*into == approx(cosine(28.1255f)), ".7778: that is its square; .4714: that is the sine");
+    const auto out = refracted_cosine(cosine(28.1255f), 1.5f);
+    REQUIRE(out);
+    CHECK(*out == approx(cosine(45)));
+}
+
+TEST_CASE("a ray that is turned back takes the same way through the boundary") {
+    for (float degrees = 0; degrees < 89; degrees += 4.3f) {
+        INFO("angle of incidence ", degrees);
+        const vec3 there = arriving(degrees);
+        const auto inside = refract(there, normal, 1 / 1.5f);
+        REQUIRE(inside);
+        const auto back = refract(-*inside, -normal, 1.5f);
+        REQUIRE(back);
+        CHECK(*back == approx(-there, 1e-4f));
+    }
+}
+
+TEST_CASE("light that meets a boundary head-on goes straight on, whatever the media") {
+    for (const float eta : {1 / 2.417f, 1 / 1.5f, 1.0f, 1.5f, 2.417f}) {
+        const auto direction = refract(-3.0f * normal, normal, eta);
+        REQUIRE(direction);
+        CHECK(*direction == approx(-3.0f * normal));
+    }
+}
+
+TEST_CASE("between two equal media light goes straight on and nothing is reflected") {
+    for (float degrees = 0; degrees < 89; degrees += 5) {
+        INFO("angle of incidence ", degrees);
+        const auto direction = refract(arriving(degrees), normal, 1);
+        REQUIRE(direction);
+        CHECK(*direction == approx(arriving(degrees), 1e-4f));
+        CHECK(fresnel(cosine(degrees), 1) == approx(0));
+    }
+}
+
+TEST_CASE("between two equal media even grazing light goes through") {
+    for (const float cos_i : {1e-2f, 1e-4f, 1e-6f}) {
+        INFO("cosine of incidence ", cos_i,
+             ": 1 - cos^2 rounds to 1, so solve for cos^2 of the refracted ray");
+        const auto cos_t = refracted_cosine(cos_i, 1);
+        REQUIRE(cos_t);
+        CHECK(*cos_t / cos_i == approx(1));
+        CHECK(fresnel(cos_i, 1) == approx(0));
+    }
+}
+
+TEST_CASE("a ray that just grazes glass is finite and goes nowhere but along it") {
+    for (const float eta : {1 / 4.0f, 1 / 1.5f, 1.0f, 1.5f, 4.0f}) {
+        for (const float degrees : {89.9f, 89.99f, 89.999f, 90.0f}) {
+            INFO("eta ", eta, " at ", degrees, " degrees");
+            const auto direction = refract(arriving(degrees), normal, eta);
+            if (!direction) continue;
+            CHECK(std::isfinite(dot(*direction, *direction)));
+            CHECK(length(*direction) == approx(2, 1e-4f));
+            CHECK(dot(*direction, normal) <= 1e-4f);
+        }
+    }
+}
+
+// --------------------------------------------------------------------------- total internal reflection
+
+TEST_CASE("total reflection begins at 41.8103 degrees in glass, 48.6066 in water, 24.4397 in diamond") {
+    struct Known {
+        float ior, degrees;
+    };
+    for (const Known& known : {Known{1.5f, 41.8103f}, {1.333f, 48.6066f}, {2.417f, 24.4397f}}) {
+        const float ior = known.ior, critical = known.degrees;
+        float passes = 0, reflects = 90; // the border between the two is found by halving
+        for (int i = 0; i < 30; ++i) {
+            const float middle = (passes + reflects) / 2;
+            (refracted_cosine(cosine(middle), ior) ? passes : reflects) = middle;
+        }
+        INFO("from n = ", ior, " into air");
+        CHECK_MESSAGE(passes == approx(critical, 1e-5f),
+                      "90: there is no total reflection at all; 0: eta upside down");
+        CHECK(refract(arriving(critical - 0.01f), normal, ior).has_value());
+        CHECK_MESSAGE(
+            !refract(arriving(critical + 0.01f), normal, ior),
+            "beyond it no ray goes on: clamping the root to 0 or taking its absolute value invents one");
+        CHECK(fresnel(cosine(critical - 0.01f), ior) < 1);
+        CHECK_MESSAGE(fresnel(cosine(critical + 0.01f), ior) == 1, "all of the light is reflected");
+    }
+}
+
+TEST_CASE("light that enters the denser medium is never totally reflected") {
+    for (const float ior : {1.0003f, 1.333f, 1.5f, 2.417f, 4.0f}) {
+        for (float degrees = 0; degrees < 90; degrees += 1.3f) {
+            INFO("into n = ", ior, " at ", degrees, " degrees");
+            CHECK(refracted_cosine(cosine(degrees), 1 / ior).has_value());
+            CHECK(refract(arriving(degrees), normal, 1 / ior).has_value());
+        }
+    }
+}
+
+// --------------------------------------------------------------------------------------------- Fresnel
+
+TEST_CASE("head-on, glass reflects .04, water .020373, diamond .171969, from either side") {
+    struct Known {
+        float ior, reflectance;
+    };
+    for (const Known& known : {Known{1.5f, 0.04f}, {1.333f, 0.020373f}, {2.417f, 0.171969f}}) {
+        const float ior = known.ior, reflectance = known.reflectance;
+        INFO("n = ", ior);
+        const std::string hint =
+            ".2 for glass: r0 has to be squared; 0: Fresnel is left out; 1 - that: R and T swapped";
+        CHECK_MESSAGE(fresnel(1, 1 / ior) == approx(reflectance, 1e-6f), hint);
+        CHECK_MESSAGE(fresnel(1, ior) == approx(reflectance, 1e-6f), hint);
+    }
+}
+
+TEST_CASE("from air, glass reflects what Fresnel's equations say at each angle") {
+    struct Known {
+        float degrees, reflectance;
+    };
+    for (const Known& known : {Known{30, 0.0415226f},
+                               {45, 0.0502399f},
+                               {60, 0.0891867f},
+                               {75, 0.2530606f},
+                               {80, 0.3877044f},
+                               {85, 0.6127996f}}) {
+        const float degrees = known.degrees, reflectance = known.reflectance;
+        INFO("at ", degrees, " degrees");
+        CHECK_MESSAGE(
+            fresnel(cosine(degrees), 1 / 1.5f) == approx(reflectance, 1e-6f),
+            ".04 everywhere: no angle in it; .0700 at 60: that is Schlick's shortcut; 1 at 45: eta upside "
+            "down; .0018 or .1766 at 60: one polarisation alone, take the mean of both");
+    }
+}
+
+TEST_CASE("from inside, glass reflects what Fresnel's equations say at each angle") {
+    struct Known {
+        float degrees, reflectance;
+    };
+    for (const Known& known :
+         {Known{20, 0.041729f}, {30, 0.055190f}, {40, 0.245291f}, {41, 0.379751f}, {60, 1.0f}}) {
+        const float degrees = known.degrees, reflectance = known.reflectance;
+        INFO("at ", degrees, " degrees");
+        CHECK_MESSAGE(fresnel(cosine(degrees), 1.5f) == approx(reflectance, 5e-6f),
+                      "less from 30 degrees on: the cosine of the wrong side, or eta upside down");
+    }
+}
+
+TEST_CASE("at Brewster's angle one polarisation is gone, and the two rays part at a right angle") {
+    const float brewster = glm::degrees(std::atan(1.5f));
+    CHECK(brewster == approx(56.3099f));
+    CHECK_MESSAGE(
+        fresnel(cosine(brewster), 1 / 1.5f) == approx(0.0739645f, 1e-6f),
+        ".147929: that is the sum of both polarisations (.147929 and 0), or the one alone: take the mean");
+    const auto onward = refract(arriving(brewster), normal, 1 / 1.5f);
+    REQUIRE(onward);
+    CHECK(dot(*onward, reflect(arriving(brewster), normal)) == approx(0));
+}
+
+TEST_CASE("a boundary reflects the same share of the light that goes the same way in the other direction") {
+    for (const float ior : {1.0003f, 1.333f, 1.5f, 2.417f, 4.0f}) {
+        for (float degrees = 0; degrees <= 89; degrees += 1.7f) {
+            INFO("n = ", ior, ", outer angle ", degrees);
+            const auto cos_t = refracted_cosine(cosine(degrees), 1 / ior);
+            REQUIRE(cos_t);
+            CHECK_MESSAGE(fresnel(cosine(degrees), 1 / ior) == approx(fresnel(*cos_t, ior), 1e-4f),
+                          "F(theta_i, 1 -> n) = F(theta_t, n -> 1)");
+        }
+    }
+}
+
+TEST_CASE("a boundary reflects between nothing and everything, and everything when light just grazes it") {
+    for (float ior = 1; ior <= 4; ior += 0.0625f) {
+        for (const float eta : {ior, 1 / ior}) {
+            for (int i = 0; i <= 1000; ++i) {
+                const float share = fresnel(float(i) / 1000, eta);
+                if (!(share >= 0 && share <= 1))
+                    FAIL_CHECK("fresnel(", float(i) / 1000, ", ", eta, ") = ", share);
+            }
+            if (ior > 1) CHECK(fresnel(0, eta) == approx(1));
+            if (ior >= 1.0625f) CHECK(fresnel(1e-4f, eta) == approx(1, 5e-3f));
+        }
+    }
+}
+
+// ---------------------------------------------------------------------------------------- Beer-Lambert
+
+TEST_CASE("what is left of light after a way through a medium is exp(-absorption way), channel by channel") {
+    CHECK_MESSAGE(transmittance({0.5f, 1.2f, 3}, 0.7f) == approx(vec3(0.704688f, 0.431711f, 0.122456f)),
+                  "above 1: the minus is missing; 1 - a d: that is only its start");
+    CHECK(transmittance({0.5f, 1.2f, 3}, 0) == approx(vec3(1)));
+    CHECK(transmittance(vec3(0), 1000) == approx(vec3(1)));
+    CHECK_MESSAGE(transmittance({0.5f, 1.2f, 3}, 2) * transmittance({0.5f, 1.2f, 3}, 3) ==
+                      approx(transmittance({0.5f, 1.2f, 3}, 5), 1e-7f),
+                  "two ways in a row multiply");
+}

@@ -1,0 +1,168 @@
+// How a ray walks down a binary tree, and that the tree is a good one: little work to walk down, little to
+// make. That it changes nothing of what a ray meets is in 05_mesh_bvh_bvh_in_scenes.cpp.
+#include "05_mesh_bvh/bvh.h"
+#include "05_mesh_bvh/triangle.h"
+#include "common/math/random.h"
+#include "tests/check.h"
+#include "tests/meshes.h"
+
+#include <ctime>
+
+using namespace rt;
+
+namespace {
+
+/// What rays between points around the unit cube cost, that cube being `scale` wide. Triangles and their tree
+/// are all that they ask: a whole scene would take long to compile.
+Tally cost_of(const ObjFile& file, int rays, float scale = 1) {
+    const Bvh bvh = build_bvh(boxes_of(file));
+    Random random(5);
+    tally = {};
+    for (int i = 0; i < rays; ++i) {
+        const vec3 from = scale * (3.0f * random_point(random) - 1.0f);
+        const vec3 to = scale * random_point(random);
+        Ray ray{from, to - from};
+        traverse(bvh, ray, [&](std::uint32_t shape) {
+            const auto& corner = file.triangles[shape];
+            const auto at = [&](std::size_t k) { return file.positions[std::size_t(corner[k].position)]; };
+            if (const auto hit = intersect(at(0), at(1), at(2), ray)) ray.t_max = hit->t;
+            return false;
+        });
+    }
+    return tally;
+}
+
+} // namespace
+
+// ------------------------------------------------------------------------------------ how a tree is walked
+
+TEST_CASE("a walk asks each shape whose box the ray enters, and none twice") {
+    const auto boxes = boxes_of(random_triangles(800, 0.3f));
+    const Bvh bvh = build_bvh(boxes);
+    Random random(51);
+    for (int i = 0; i < 300; ++i) {
+        const Ray ray{2.0f * random_point(random), random_direction(random)};
+        std::vector<int> asked(boxes.size());
+        traverse(bvh, ray, [&](std::uint32_t shape) {
+            ++asked[shape];
+            return false;
+        });
+        int missed = 0, twice = 0;
+        for (std::size_t k = 0; k < boxes.size(); ++k) {
+            missed += asked[k] == 0 && entry(boxes[k], ray);
+            twice += asked[k] > 1;
+        }
+        CHECK_MESSAGE(missed == 0, "shapes that were not asked");
+        CHECK_MESSAGE(twice == 0, "shapes that were asked twice");
+    }
+}
+
+TEST_CASE("a walk ends at once when a leaf says so") {
+    const Bvh bvh = build_bvh(std::vector<Box>(100, Box{{-1, -1, -1}, {1, 1, 1}}));
+    int calls = 0;
+    traverse(bvh, Ray{{0, 0, 5}, {0.01f, 0, -1}}, [&](std::uint32_t) { return ++calls == 3; });
+    CHECK(calls == 3);
+}
+
+TEST_CASE("a walk goes to the near boxes first and passes over those beyond what was found") {
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const float sign : {1.0f, -1.0f}) {
+            std::vector<Box> row;
+            vec3 along{0.01f};
+            along[axis] = 1;
+            for (int i = 0; i < 1000; ++i) {
+                const vec3 p = float(2 * i) * along;
+                row.push_back({p - 0.5f, p + 0.5f});
+            }
+            const Bvh bvh = build_bvh(row);
+            const vec3 origin = (sign > 0 ? -5.0f : 2005.0f) * along;
+            Ray ray{origin, sign * along};
+            const SlabRay slab = slab_ray(ray);
+            int calls = 0;
+            tally = {};
+            traverse(bvh, ray, [&](std::uint32_t shape) {
+                ++calls;
+                if (const auto t = entry(row[shape], slab, ray.t_min, ray.t_max)) ray.t_max = *t;
+                return false;
+            });
+            INFO("axis ", axis, ", sign ", sign, ": ", calls, " shapes asked, ", tally.box_tests, " boxes");
+            CHECK(ray.t_max < 20);
+            CHECK_MESSAGE(calls <= 16,
+                          "about one leaf; 1,000: what was found does not shorten the search, or the far "
+                          "child goes first");
+            CHECK(tally.box_tests <= 100);
+            CHECK(tally.box_tests >= 5);
+        }
+    }
+}
+
+TEST_CASE("what lies behind the thing that was found is not asked any more") {
+    std::vector<Box> heap; // 40 boxes near by and one far behind them
+    Random random(52);
+    for (int i = 0; i < 41; ++i) {
+        const vec3 p = vec3(0, 0, i < 40 ? -5 : -500) + 0.1f * random_point(random);
+        heap.push_back({p - 1.0f, p + 1.0f});
+    }
+    const Bvh bvh = build_bvh(heap);
+    Ray ray{{0.1f, 0.2f, 0}, {0.001f, 0, -1}};
+    int far_ones = 0;
+    traverse(bvh, ray, [&](std::uint32_t shape) {
+        far_ones += shape >= 40;
+        ray.t_max = std::min(ray.t_max, shape < 40 ? 5.0f : 500.0f);
+        return false;
+    });
+    CHECK(ray.t_max == 5);
+    CHECK_MESSAGE(far_ones == 0, "a box put aside may lie beyond t_max by the time its turn comes");
+}
+
+// ------------------------------------------------------------------------------------------- what it costs
+
+TEST_CASE("the work does not depend on the unit of length") {
+    float triangles[3] = {}, boxes[3] = {};
+    const float scales[] = {1, 1.0f / 1024, 1024};
+    for (std::size_t i = 0; i < 3; ++i) {
+        ObjFile file = random_triangles(2000, 0.2f);
+        transform(file, scales[i], vec3(0));
+        const Tally cost = cost_of(file, 1000, scales[i]);
+        triangles[i] = float(cost.triangle_tests);
+        boxes[i] = float(cost.box_tests);
+    }
+    for (std::size_t i = 1; i < 3; ++i) {
+        INFO("scale ", scales[i]);
+        CHECK_MESSAGE(triangles[i] == approx(triangles[0], 0.05f),
+                      "areas are counted in areas of the parent");
+        CHECK(boxes[i] == approx(boxes[0], 0.05f));
+    }
+}
+
+TEST_CASE("walls and floors, whose boxes are flat, make a good tree too") {
+    ObjFile file = empty_file();
+    Random random(53);
+    for (int i = 0; i < 2000; ++i) { // small triangles in the three planes through the origin
+        vec3 p = random_point(random), q = 0.05f * random_point(random), r = 0.05f * random_point(random);
+        p[i % 3] = q[i % 3] = r[i % 3] = 0;
+        add_triangle(file, p, p + q, p + r);
+    }
+    const Tally cost = cost_of(file, 3000);
+    INFO("triangle tests a ray ", float(cost.triangle_tests) / 3000);
+    CHECK_MESSAGE(float(cost.box_tests) / 3000 < 45,
+                  "70: volume for area, and the volume of a flat box is 0");
+    CHECK(float(cost.triangle_tests) / 3000 < 3);
+}
+
+TEST_CASE("eight times as many triangles take not much more than eight times as long to make a tree of") {
+    const auto seconds = [](int count) {
+        const auto boxes = boxes_of(random_triangles(count, 0.02f));
+        double best = 1e9; // of three, in processor time: other programs do not count
+        for (int i = 0; i < 3; ++i) {
+            const std::clock_t start = std::clock();
+            const Bvh bvh = build_bvh(boxes);
+            best = std::min(best, double(std::clock() - start) / CLOCKS_PER_SEC);
+            CHECK(!bvh.nodes.empty());
+        }
+        return best;
+    };
+    const double few = seconds(8000), many = seconds(64000);
+    CHECK_MESSAGE(many < 25 * few + 0.05, few, " s for 8,000, ", many,
+                  " s for 64,000; 64 times: each level copies or looks at all triangles");
+}

@@ -1,0 +1,202 @@
+// Facts about where rays meet things: as exactly as a float can say, whatever the size of the shape, however it is
+// found; so that a new ray starts off the surface and on the right side of it.
+#include "02_shadows/offset.h"
+#include "05_mesh_bvh/scene.h"
+#include "common/math/random.h"
+#include "tests/check.h"
+#include "tests/meshes.h"
+
+using namespace rt;
+
+namespace {
+
+float any_size(Random& random) {
+    return std::pow(10.0f, 6 * random.uniform() - 3); // from a millimetre to a kilometre
+}
+
+/// Triangles, quads and balls of sizes that span six orders, in a few metres, and a plane.
+Scene mixed_scene(std::uint64_t seed) {
+    Random random(seed);
+    ObjFile file = empty_file();
+    for (int i = 0; i < 400; ++i) {
+        const vec3 middle = 3.0f * random_direction(random);
+        const float size = any_size(random);
+        add_triangle(file, middle + size * random_direction(random), middle + size * random_direction(random),
+                     middle + size * random_direction(random));
+    }
+    Scene scene;
+    add(scene, file, 0);
+    for (int i = 0; i < 20; ++i) {
+        const float size = any_size(random);
+        scene.quads.push_back({3.0f * random_direction(random) - size * vec3(0.3f, 0.5f, 0.1f),
+                               size * random_direction(random), size * random_direction(random), 0});
+        const float radius = any_size(random);
+        scene.spheres.push_back({(radius + 2) * random_direction(random), radius, 0});
+    }
+    scene.planes = {{{500, -300, 20}, normalize(vec3(0.2f, 1, -0.3f)), 0}};
+    return scene;
+}
+
+std::array<Scene, 3> by_all_ways(const Scene& scene) {
+    std::array<Scene, 3> all{scene, scene, scene};
+    for (std::size_t i = 0; i < 3; ++i) {
+        all[i].accel = std::array{Accel::brute, Accel::bvh, Accel::wide}[i];
+        prepare(all[i]);
+    }
+    return all;
+}
+
+/// How far the new origin is above the surface along its normal, in units of the hit's error: 1, up to rounding.
+double height_over_triangle(const Mesh& mesh, std::uint32_t i, vec3 point) {
+    const auto [a, b, c] = corners(mesh, i);
+    return dot(dvec3(point) - dvec3(a), normalize(area_normal({a, b, c})));
+}
+
+} // namespace
+
+TEST_CASE("all ways of finding agree on t, among shapes whose sizes span six orders") {
+    Random random(31);
+    int hits = 0, lost = 0, off = 0, shadows = 0, count = 0;
+    for (const std::uint64_t seed : {1, 2, 3}) {
+        const auto [brute, bvh, wide] = by_all_ways(mixed_scene(seed));
+        for (int i = 0; i < 4000; ++i, ++count) {
+            Ray ray{4.0f * random_direction(random), random_direction(random)};
+            if (i % 2 == 0) // from a surface, as bounces and shadow rays start
+                if (const auto hit = intersect(brute, ray)) ray = ray_from(*hit, random_direction(random));
+            if (i % 3 == 0) ray.t_max = 2;
+            const auto right = intersect(brute, ray);
+            hits += right.has_value();
+            for (const Scene* scene : {&bvh, &wide}) {
+                const auto got = intersect(*scene, ray);
+                lost += got.has_value() != right.has_value();
+                if (got && right) off += std::abs(got->t - right->t) > 1e-6f * right->t;
+                shadows += occluded(*scene, ray) != right.has_value();
+            }
+        }
+    }
+    INFO(hits, " of ", count, " rays hit");
+    CHECK(hits > count / 3);
+    CHECK_MESSAGE(lost <= 2, "only at the very outline of a shape may one way see it and another miss it");
+    CHECK_MESSAGE(off <= 2, "where a ray meets a shape is for the exact test of the shape to say");
+    CHECK(shadows <= 2);
+}
+
+TEST_CASE("a new ray starts off the surface and on the right side, whatever the triangle's size and the "
+          "eye's distance") {
+    Random random(32);
+    double lowest = infinity, highest = 0;
+    for (int i = 0; i < 20000; ++i) {
+        ObjFile file = empty_file();
+        const float size = any_size(random), away = any_size(random);
+        const vec3 shift = any_size(random) * random_direction(random);
+        const vec3 a = shift + size * random_direction(random), b = shift + size * random_direction(random),
+                   c = shift + size * random_direction(random);
+        add_triangle(file, a, b, c);
+        const vec3 n = cross(normalize(b - a), normalize(c - a));
+        if (length(n) < 0.05f) continue; // a needle
+        Scene scene;
+        append(scene.mesh, file, {0}, 0);
+        scene.accel = i % 2 == 0 ? Accel::wide : Accel::brute;
+        prepare(scene);
+        const vec3 target = 0.3f * a + 0.36f * b + 0.34f * c;
+        const vec3 eye = target + away * normalize(random_direction(random));
+        const auto hit = intersect(scene, Ray{eye, target - eye});
+        if (!hit) continue; // the target is rounded, and the triangle may be seen edge-on
+        for (const float side : {1.0f, -1.0f}) {
+            const vec3 origin = offset_position(*hit, side * hit->geometric_normal);
+            const double above = double(side) * height_over_triangle(scene.mesh, 0, origin) *
+                                 (dot(hit->geometric_normal, n) > 0 ? 1 : -1) / double(hit->error);
+            lowest = std::min(lowest, above);
+            highest = std::max(highest, above);
+        }
+    }
+    INFO("between ", lowest, " and ", highest, " times the error");
+    CHECK_MESSAGE(lowest > 0, "it starts on the other side: acne, or light from within");
+    CHECK_MESSAGE(highest < 2, "it starts too far off: shadows come loose");
+}
+
+TEST_CASE("a floor of a metre or a kilometre throws no shadow on itself, and lets none of its own light be "
+          "missed") {
+    for (const float size : {1.0f, 30.0f, 1000.0f, 30000.0f}) {
+        Random random(33);
+        const vec3 up = normalize(vec3(0.3f, 1, -0.2f)), right = normalize(cross(up, vec3(0.1f, 0.2f, 1)));
+        const vec3 forward = cross(right, up);
+        ObjFile file = empty_file();
+        const auto corner = [&](float x, float y) {
+            return vec3(0.4f, -0.7f, 0.2f) + size * (x * right + y * forward);
+        };
+        add_triangle(file, corner(-1, -1), corner(1, 1), corner(1, -1));
+        add_triangle(file, corner(-1, -1), corner(-1, 1), corner(1, 1));
+        Scene scene;
+        append(scene.mesh, file, {0}, 0);
+        for (const Scene& found : by_all_ways(scene)) {
+            int rays = 0, dark = 0, twice = 0;
+            for (int i = 0; i < 3000; ++i) {
+                const vec3 eye = vec3(0.4f, -0.7f, 0.2f) + 0.02f * random_direction(random) + 0.03f * up;
+                const auto hit = intersect(found, Ray{eye, 0.02f * random_direction(random) - 0.03f * up});
+                if (!hit) continue;
+                ++rays;
+                vec3 way = random_direction(random);
+                if (dot(way, hit->geometric_normal) < 0) way = -way;
+                if (i % 4 == 0)
+                    way = normalize(way - 0.999f * dot(way, hit->geometric_normal) * hit->geometric_normal);
+                dark += occluded(found, segment_to(*hit, hit->position + 5.0f * way));
+                twice += intersect(found, ray_from(*hit, way)).has_value();
+            }
+            INFO("a floor of ", size, " m, accel ", int(found.accel), ", ", rays, " hits");
+            CHECK(rays > 2000);
+            CHECK_MESSAGE(dark == 0, "shadow acne");
+            CHECK(twice == 0);
+        }
+    }
+}
+
+TEST_CASE("what lies behind the surface is hidden by it, however its normal is bent") {
+    const vec3 n = normalize(vec3(0.2f, 1, 0.1f)), bent = normalize(n + 0.8f * vec3(1, 0, 0));
+    ObjFile file = empty_file();
+    const vec3 u = normalize(cross(n, vec3(0, 0, 1))), v = cross(n, u);
+    add_triangle(file, -4.0f * u - 4.0f * v, 4.0f * u - 4.0f * v, 6.0f * v);
+    Scene scene;
+    append(scene.mesh, file, {0}, 0);
+    scene.mesh.normals.assign(scene.mesh.normals.size(), bent);
+    for (const Scene& found : by_all_ways(scene)) {
+        const auto hit = intersect(found, Ray{2.0f * n - u, -n});
+        REQUIRE(hit);
+        const vec3 behind = hit->position + 3.0f * normalize(u - 0.05f * n);
+        CHECK(dot(behind - hit->position, hit->normal) > 0);
+        CHECK_MESSAGE(occluded(found, segment_to(*hit, behind)), "light leaks through the surface");
+    }
+}
+
+TEST_CASE("a model of a picometre or a petametre has normals, and is met where it is") {
+    for (const float size : {1e-12f, 1e-6f, 1.0f, 1e9f, 1e15f}) {
+        ObjFile file = icosphere(2);
+        transform(file, size, size * vec3(0.3f, -0.2f, 0.5f));
+        Scene scene;
+        add(scene, file, 60);
+        for (const Scene& found : by_all_ways(scene)) {
+            const vec3 center = size * vec3(0.3f, -0.2f, 0.5f), from = center + size * vec3(2, 3, -4);
+            const auto hit = intersect(found, Ray{from, normalize(center - from)});
+            INFO("size ", size, ", accel ", int(found.accel));
+            REQUIRE(hit);
+            CHECK(length(hit->normal) == approx(1));
+            CHECK(length(hit->geometric_normal) == approx(1));
+            CHECK_MESSAGE(dot(hit->normal, normalize(vec3(2, 3, -4))) == approx(1, 0.01f),
+                          "smooth, and outward");
+            CHECK(length((hit->position - center) / size) == approx(1, 0.02f));
+        }
+    }
+}
+
+TEST_CASE("models that are far from the origin are told apart by double coordinates") {
+    ObjFile near = icosphere(1), far = icosphere(1);
+    near.origin = {500000, 120, 4649776};
+    far.origin = {500010.25, 118.5, 4649770};
+    Scene scene;
+    add(scene, near, 40);
+    add(scene, far, 40);
+    CHECK(scene.mesh.origin == near.origin);
+    const Box box = bounds(scene.mesh);
+    CHECK(box.low == approx({-1, -2.5f, -7}, 0.2f));
+    CHECK_MESSAGE(box.high == approx({11.25f, 1, 1}, 0.2f), "the second one is moved by the difference");
+}

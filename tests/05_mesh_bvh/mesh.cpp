@@ -1,0 +1,149 @@
+// What a mesh makes of a hit: weights of corners, normals, uv; its box; how a model gets its place. Meshes of
+// many triangles are in 05_mesh_bvh_mesh_in_scenes.cpp.
+#include "05_mesh_bvh/mesh.h"
+#include "common/math/random.h"
+#include "tests/check.h"
+#include "tests/meshes.h"
+
+using namespace rt;
+
+namespace {
+
+const vec3 a = {1, -2, 3}, b = {3, 1, 4}, c = {-1, 2, 6}; // a skew triangle
+
+/// A mesh of few triangles, found here by Gauss's elimination: so these checks need no tree and nothing of
+/// triangle.h.
+struct Scene {
+    Mesh mesh;
+};
+
+Scene scene_of(const ObjFile& file) {
+    Scene scene;
+    append(scene.mesh, file, {0}, 40);
+    return scene;
+}
+
+std::optional<Hit> intersect(const Scene& scene, Ray ray) {
+    std::optional<MeshHit> nearest;
+    for (std::uint32_t i = 0; i < scene.mesh.triangles.size(); ++i) {
+        const auto [p, q, r] = corners(scene.mesh, i);
+        const glm::dmat3 columns(dvec3(q - p), dvec3(r - p), -dvec3(ray.direction));
+        const dvec3 uvt = inverse(columns) * dvec3(ray.origin - p); // p + u (q - p) + v (r - p) = O + t D
+        if (!(std::min({uvt.x, uvt.y, 1 - uvt.x - uvt.y}) >= -1e-9) || !contains(ray, float(uvt.z))) continue;
+        ray.t_max = float(uvt.z);
+        nearest = MeshHit{&scene.mesh, i, float(uvt.x), float(uvt.y)};
+    }
+    return nearest ? std::optional(surface(*nearest, ray)) : std::nullopt;
+}
+
+} // namespace
+
+TEST_CASE("the box of a sphere and of a triangle touches it on all sides") {
+    const Box sphere = bounds(Sphere{{1, -2, 3}, 2, 0});
+    CHECK(sphere.low == vec3(-1, -4, 1));
+    CHECK(sphere.high == vec3(3, 0, 5));
+    ObjFile file = empty_file();
+    add_triangle(file, a, b, c);
+    add_triangle(file, c + 1.0f, a + 1.0f, b + 1.0f);
+    const Scene scene = scene_of(file);
+    CHECK_MESSAGE(bounds(scene.mesh, 0).low == vec3(-1, -2, 3), "all three corners count");
+    CHECK(bounds(scene.mesh, 0).high == vec3(3, 2, 6));
+    CHECK(bounds(scene.mesh, 1).low == vec3(0, -1, 4));
+    CHECK(bounds(scene.mesh).low == vec3(-1, -2, 3));
+    CHECK(bounds(scene.mesh).high == vec3(4, 3, 7));
+}
+
+TEST_CASE("the true normal of a hit is unit, at right angles to the triangle and on the side of the ray") {
+    ObjFile file = empty_file();
+    add_triangle(file, a, b, c);
+    file.normals = {vec3(1, -1, 3)};
+    for (ObjCorner& corner : file.triangles[0]) corner.normal = 0;
+    const Scene scene = scene_of(file);
+    const vec3 n = normalize(cross(b - a, c - a));
+    for (const float side : {1.0f, -1.0f}) {
+        const auto hit = intersect(scene, Ray{(a + b + c) / 3.0f + side * 3.0f * n, -side * 2.0f * n});
+        REQUIRE(hit);
+        CHECK_MESSAGE(hit->geometric_normal == approx(side * n),
+                      "the corners run counter-clockwise from outside");
+        CHECK_MESSAGE(hit->inside == (side < 0), "inside: the ray comes from behind");
+        CHECK_MESSAGE(hit->normal == approx(side * normalize(vec3(1, -1, 3))),
+                      "the given normal, made unit, turned to the side of the ray with the true one");
+        CHECK(hit->position == approx((a + b + c) / 3.0f));
+    }
+}
+
+TEST_CASE("normals and uv run over a triangle as the weights of its corners do") {
+    ObjFile file = empty_file();
+    add_triangle(file, {0, 0, 0}, {2, 0, 0}, {0, 3, 0});
+    file.normals = {{0, 0, 5}, {0.6f, 0, 0.8f}, {0, 2, 2}};
+    file.uvs = {{0.1f, 0.9f}, {0.7f, 0.2f}, {3, -2}};
+    for (int k = 0; k < 3; ++k) {
+        file.triangles[0][std::size_t(k)].normal = k;
+        file.triangles[0][std::size_t(k)].uv = k;
+    }
+    const Scene scene = scene_of(file);
+    const auto hit = intersect(scene, Ray{{0.4f, 1.5f, 4}, {0, 0, -2}}); // u = .2, v = .5
+    REQUIRE(hit);
+    CHECK_MESSAGE(hit->uv == approx(0.3f * vec2(0.1f, 0.9f) + 0.2f * vec2(0.7f, 0.2f) + 0.5f * vec2(3, -2)),
+                  "(1 - u - v) A + u B + v C");
+    const vec3 blend = 0.3f * vec3(0, 0, 1) + 0.2f * vec3(0.6f, 0, 0.8f) + 0.5f * normalize(vec3(0, 1, 1));
+    CHECK_MESSAGE(hit->normal == approx(normalize(blend)),
+                  "each made unit, then blended, then made unit again");
+    CHECK(hit->geometric_normal == approx({0, 0, 1}));
+}
+
+TEST_CASE("a triangle without uv lies at uv 0") {
+    ObjFile file = empty_file();
+    add_triangle(file, a, b, c);
+    const auto hit = intersect(scene_of(file), Ray{(a + b + c) / 3.0f + vec3(0, 0, 3), {0, 0, -1}});
+    REQUIRE(hit);
+    CHECK(hit->uv == vec2(0));
+}
+
+TEST_CASE("a normal is bent no further than needed for a mirror to clear the surface") {
+    Random random(63);
+    int bent = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const vec3 geometric = normalize(random_direction(random));
+        vec3 direction = normalize(random_direction(random)), smooth = normalize(random_direction(random));
+        if (dot(direction, geometric) > 0) direction = -direction;
+        if (dot(smooth, geometric) < 0) smooth = -smooth;
+        if (dot(smooth, geometric) < 0.05f || dot(direction, geometric) > -0.02f) continue;
+        const vec3 cleared = clearing(direction, smooth, geometric);
+        const vec3 reflected = reflect(direction, cleared);
+        if (!(length(cleared) == approx(1, 1e-4f) && dot(reflected, geometric) > 0))
+            FAIL_CHECK("d ", direction, ", smooth ", smooth, ", true ", geometric, ": got ", cleared,
+                       ", which sends the light into the surface");
+        if (dot(reflect(direction, smooth), geometric) > 0.02f) {
+            if (cleared != smooth) FAIL_CHECK("a normal that is fine stays as it is");
+        } else {
+            ++bent;
+        }
+    }
+    CHECK(bent > 100);
+    const vec3 straight = normalize(vec3(1, 2, -2));
+    CHECK(clearing(-straight, straight, straight) == straight);
+}
+
+TEST_CASE("at a seam of the uv map each triangle keeps its own uv") {
+    ObjFile file = empty_file();
+    file.positions = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}};
+    file.uvs = {{0.1f, 0.2f}, {0.9f, 0.3f}};
+    file.triangles = {{{{0, 0}, {1, 0}, {2, 0}}}, {{{0, 1}, {2, 1}, {3, 1}}}};
+    file.materials = {0, 0};
+    const Scene scene = scene_of(file);
+    CHECK(intersect(scene, Ray{{1.5f, 0.5f, 2}, {0, 0, -1}})->uv == approx({0.1f, 0.2f}));
+    CHECK_MESSAGE(intersect(scene, Ray{{0.5f, 1.5f, 2}, {0, 0, -1}})->uv == approx({0.9f, 0.3f}),
+                  "corners in one place are one vertex only if their uv is the same");
+}
+
+TEST_CASE("place scales a model, turns it from +z towards +x and then shifts it") {
+    ObjFile file = empty_file();
+    add_triangle(file, {0, 0, 1}, {1, 0, 0}, {0, 3, 0});
+    file.normals = {{0, 0, 1}};
+    place(file, 2, 90, {10, 20, 30});
+    CHECK_MESSAGE(file.positions[0] == approx({12, 20, 30}), "+z is +x after a quarter turn");
+    CHECK(file.positions[1] == approx({10, 20, 28}));
+    CHECK(file.positions[2] == approx({10, 26, 30}));
+    CHECK_MESSAGE(file.normals[0] == approx({1, 0, 0}), "normals turn, and do not shift");
+}

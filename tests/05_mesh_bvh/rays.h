@@ -1,0 +1,29 @@
+// Points and directions at random, and when a ray enters a box: what the quickest checks of step 05 need.
+#pragma once
+
+#include "05_mesh_bvh/box.h"
+#include "common/math/random.h"
+
+#include <optional>
+
+namespace rt {
+
+inline vec3 random_point(Random& random) {
+    const float x = random.uniform();
+    const float y = random.uniform();
+    const float z = random.uniform();
+    return {x, y, z};
+}
+
+inline vec3 random_direction(Random& random) {
+    while (true) {
+        const vec3 p = 2.0f * random_point(random) - 1.0f;
+        if (dot(p, p) < 1 && dot(p, p) > 0.01f) return 1.7f * p; // of any length
+    }
+}
+
+inline std::optional<float> entry(const Box& box, const Ray& ray) {
+    return entry(box, slab_ray(ray), ray.t_min, ray.t_max);
+}
+
+} // namespace rt

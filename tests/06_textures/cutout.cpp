@@ -1,0 +1,117 @@
+// Facts about cut-outs and colors of vertices: what is a hole is not there, for eyes, shadows and lamps alike.
+#include "06_textures/cutout.h"
+#include "06_textures/radiance.h"
+#include "06_textures/scene.h"
+#include "common/math/random.h"
+#include "tests/check.h"
+#include "tests/meshes.h"
+
+using namespace rt;
+
+namespace {
+
+/// A triangle of twice the unit square in the plane y = height, with uv (x, -z), its mask on the material.
+void add_leaf(ObjFile& file, float height, int material) {
+    const int p = int(file.positions.size());
+    file.positions.insert(file.positions.end(), {{0, height, 0}, {2, height, 0}, {0, height, -2}});
+    file.uvs.insert(file.uvs.end(), {{0, 0}, {2, 0}, {0, 2}});
+    file.triangles.push_back({{{p, p}, {p + 1, p + 1}, {p + 2, p + 2}}});
+    file.materials.push_back(material);
+}
+
+/// A floor without holes, two leaves above it. The mask is opaque on its left half (u below 1/2).
+Scene leaves(Accel accel) {
+    ObjFile file;
+    file.material_list = {{.name = "floor", .diffuse = vec3(0.5f)},
+                          {.name = "leaf", .diffuse = vec3(0.9f), .mask = 0}};
+    Mask mask{8, 8, {}};
+    for (int i = 0; i < 64; ++i) mask.opacity.push_back(i % 8 < 4 ? 65535 : 0);
+    file.masks = {mask};
+    add_leaf(file, 0, 0);
+    add_leaf(file, 1, 1);
+    add_leaf(file, 2, 1);
+    Scene scene;
+    scene.accel = accel;
+    add(scene, file, 40);
+    prepare(scene);
+    return scene;
+}
+
+} // namespace
+
+TEST_CASE("a ray goes through the holes of a surface and stops where it is opaque") {
+    for (const Accel accel : {Accel::brute, Accel::bvh, Accel::wide}) {
+        const Scene scene = leaves(accel);
+        const auto opaque = intersect(scene, Ray{{0.25f, 5, -0.3f}, {0, -2, 0}});
+        const auto hole = intersect(scene, Ray{{0.75f, 5, -0.3f}, {0, -2, 0}});
+        REQUIRE(opaque);
+        REQUIRE(hole);
+        CHECK(opaque->t == approx(1.5f));
+        CHECK_MESSAGE(hole->t == approx(2.5f),
+                      "through both leaves, down to the floor; t counts from the ray's origin");
+        CHECK(hole->material == 0);
+        CHECK_FALSE(intersect(scene, Ray{{0.75f, 5, -0.3f}, {0, -2, 0}, 0, 2.4f}));
+        CHECK_FALSE_MESSAGE(intersect(scene, Ray{{0.75f, 0.5f, -0.3f}, {0, 2, 0}}), "from below too");
+    }
+}
+
+TEST_CASE("light falls through the holes of a surface") {
+    for (const Accel accel : {Accel::brute, Accel::bvh, Accel::wide}) {
+        const Scene scene = leaves(accel);
+        CHECK(occluded(scene, Ray{{0.25f, 0.1f, -0.3f}, {0, 5, 0}, 0, 1}));
+        CHECK_FALSE(occluded(scene, Ray{{0.75f, 0.1f, -0.3f}, {0, 5, 0}, 0, 1}));
+        CHECK_MESSAGE(occluded(scene, Ray{{0.75f, 1.9f, -0.3f}, {0, -5, 0}, 0, 1}), "the floor has no holes");
+    }
+}
+
+TEST_CASE("half as much of a striped mask is there as of a full one") {
+    const Scene scene = leaves(Accel::wide);
+    Random random(61);
+    int there = 0;
+    const int count = 20000;
+    for (int i = 0; i < count; ++i) {
+        const vec2 p = random.uniform2();
+        const auto hit = intersect(scene, Ray{{p.x, 5, -p.y * (1 - 1e-3f)}, {0, -1, 0}});
+        there += hit && hit->material == 1;
+    }
+    // The blend of texels puts the outline half-way between an opaque one and a hole.
+    CHECK(float(there) / float(count) == approx(0.5f, 0.02f));
+}
+
+TEST_CASE("a mask is a share and no colour") {
+    const Texture texture = make_mask({2, 1, {32768, 65535}});
+    CHECK_MESSAGE(texture.texels[0].x == approx(0.5f, 1e-4f), "0.216: the sRGB curve was undone");
+    CHECK(texture.texels[1].x == 1);
+}
+
+TEST_CASE("what glows has no holes") {
+    ObjFile file;
+    file.material_list = {{.name = "lamp", .diffuse = vec3(0), .emission = vec3(2), .mask = 0}};
+    file.masks = {{1, 1, {0}}};
+    add_leaf(file, 1, 0);
+    Scene scene;
+    add(scene, file, 40);
+    prepare(scene);
+    CHECK(intersect(scene, Ray{{0.5f, 5, -0.5f}, {0, -1, 0}}));
+}
+
+TEST_CASE("colors of vertices are blended over a triangle and multiply its albedo") {
+    ObjFile file = empty_file();
+    file.material_list[0].diffuse = vec3(0.5f);
+    add_triangle(file, {0, 0, 0}, {0, 0, 3}, {3, 0, 0});
+    file.colors = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    Scene scene;
+    add(scene, icosphere(0), 40); // without colors, and so white
+    for (vec3& position : scene.mesh.positions) position.y -= 10;
+    add(scene, file, 40);
+    scene.sky = {.nadir = vec3(1), .zenith = vec3(1)};
+    prepare(scene);
+    const Ray ray{{0.9f, 2, 0.6f}, {0, -1, 0}};
+    const auto hit = intersect(scene, ray);
+    REQUIRE(hit);
+    CHECK(hit->tint == approx({0.5f, 0.2f, 0.3f}));
+    CHECK(radiance(scene, ray, 1) == approx(0.5f * vec3(0.5f, 0.2f, 0.3f)));
+    const auto white = intersect(scene, Ray{{5, -10, 0.1f}, {-1, 0, 0}});
+    REQUIRE(white);
+    CHECK(white->tint == vec3(1));
+}

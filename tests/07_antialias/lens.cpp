@@ -1,0 +1,156 @@
+// Facts about a lens: where its rays start, where they meet, and how wide a point out of focus becomes.
+// Noisy facts are z-tests with a fixed seed: a right renderer is beyond |z| = 4 in one run of 16,000.
+#include "07_antialias/lens.h"
+#include "tests/check.h"
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+using namespace rt;
+
+namespace {
+
+const Pose pose{.from = {1, 2, 3}, .at = {-1, 1.5f, -4}, .up = {0.1f, 1, 0}, .fov = 50};
+const Camera camera = make_camera(pose, 600, 400);
+
+/// Where the ray meets the plane `depth` ahead of the camera.
+vec3 at_depth(const Ray& ray, float depth) {
+    return at(ray,
+              (depth - dot(ray.origin - camera.origin, camera.forward)) / dot(ray.direction, camera.forward));
+}
+
+/// A grid over [0, 1)^2 that has its corners, its edges and its middle.
+std::vector<vec2> grid() {
+    std::vector<vec2> points;
+    for (int y = 0; y <= 32; ++y)
+        for (int x = 0; x <= 32; ++x) points.push_back(min(vec2(x, y) / 32.0f, vec2(0x1.fffffep-1f)));
+    return points;
+}
+
+} // namespace
+
+TEST_CASE("points of the disk are spread evenly by area, and even points stay even") {
+    // Even by area: the mean of r^2 is 1/2, that of r^4 1/3; and x and y are alike and know nothing of each
+    // other.
+    Mean x, y, xy, difference, square, fourth;
+    Random random(3);
+    for (int i = 0; i < 100'000; ++i) {
+        const vec2 p = disk_point(random.uniform2());
+        const double r2 = double(dot(p, p));
+        REQUIRE(r2 <= 1 + 1e-6);
+        x.add(double(p.x)), y.add(double(p.y)), xy.add(double(p.x * p.y));
+        difference.add(double(p.x * p.x - p.y * p.y)), square.add(r2), fourth.add(r2 * r2);
+    }
+    INFO("mean of r^2, 1/3 if the radius is even in place of the area, 2/3 if the corners are not folded in: "
+         << square.against(0.5));
+    CHECK(std::abs(square.z(0.5)) < 4);
+    INFO("mean of r^4: " << fourth.against(1.0 / 3));
+    CHECK(std::abs(fourth.z(1.0 / 3)) < 4);
+    INFO("means of x, y, x y, x^2 - y^2: " << x.against(0) << "; " << y.against(0) << "; " << xy.against(0)
+                                           << "; " << difference.against(0));
+    for (const Mean& mean : {x, y, xy, difference}) CHECK(std::abs(mean.z(0)) < 4);
+    // Area is kept everywhere: a small square of side h becomes a patch of h^2 times pi (disk) over 1
+    // (square).
+    for (const vec2 u :
+         {vec2(0.2f, 0.3f), vec2(0.9f, 0.6f), vec2(0.55f, 0.95f), vec2(0.4f, 0.1f), vec2(0.05f, 0.5f)}) {
+        const float h = 1 / 256.0f;
+        const vec2 right = disk_point(u + vec2(h, 0)) - disk_point(u - vec2(h, 0));
+        const vec2 up = disk_point(u + vec2(0, h)) - disk_point(u - vec2(0, h));
+        INFO("around " << to_text(u));
+        CHECK((right.x * up.y - right.y * up.x) / (4 * h * h) == approx(pi, 2e-3f));
+    }
+    CHECK(disk_point(vec2(0.5f)) == vec2(0));
+}
+
+TEST_CASE("a lens without width is the pinhole, bit by bit") {
+    for (const vec2 pixel : {vec2(0), vec2(300, 200), vec2(17.3f, 391.8f)})
+        for (const vec2 u : grid()) {
+            const Ray ray = lens_ray(camera, {0, 3}, pixel, u), pinhole = camera_ray(camera, pixel);
+            CHECK(ray.origin == pinhole.origin);
+            CHECK(ray.direction == pinhole.direction);
+        }
+    Sampler asked(SamplerKind::sobol, Sample{1, 2, 3, 16, Random(1, 2, 3, 4), 4}), untouched = asked;
+    CHECK(picture_ray(camera, {0, 3}, vec2(9), asked).direction == camera_ray(camera, vec2(9)).direction);
+    CHECK_MESSAGE(asked.uniform() == untouched.uniform(), "a pinhole asks for no numbers");
+}
+
+TEST_CASE("rays start all over the lens, at right angles to the line of sight") {
+    const Lens lens{0.8f, 3};
+    float farthest = 0;
+    for (const vec2 u : grid()) {
+        const Ray ray = lens_ray(camera, lens, {17.3f, 391.8f}, u);
+        CHECK(dot(ray.origin - camera.origin, camera.forward) == approx(0, 1e-6f));
+        CHECK(length(ray.direction) == approx(1));
+        farthest = std::max(farthest, distance(ray.origin, camera.origin));
+    }
+    INFO("the aperture is the lens's width: rays start up to half of it from its middle");
+    CHECK(farthest == approx(0.4f, 1e-4f));
+    // The lens is round: equally wide along both axes of the picture, however wide that is.
+    Mean across, along;
+    Random random(5);
+    for (int i = 0; i < 40'000; ++i) {
+        const vec3 p = lens_ray(camera, lens, {300, 10}, random.uniform2()).origin - camera.origin;
+        const double x = double(dot(p, normalize(camera.right))), y = double(dot(p, normalize(camera.up)));
+        across.add(x * x), along.add(y * y);
+    }
+    INFO("mean squares, a quarter of the squared radius: " << across.against(0.04) << "; "
+                                                           << along.against(0.04));
+    CHECK(std::abs(across.z(0.04)) < 4);
+    CHECK(std::abs(along.z(0.04)) < 4);
+}
+
+TEST_CASE("what lies in the plane of focus is seen at one point of the picture from all over the lens") {
+    for (const vec2 pixel : {vec2(0), vec2(300, 200), vec2(590, 30)}) {
+        const vec3 seen = at_depth(camera_ray(camera, pixel), 5);
+        for (const vec2 u : grid()) {
+            INFO("through " << to_text(pixel)
+                            << "; wrong only away from the middle: a sphere is in focus, not a plane");
+            CHECK(at_depth(lens_ray(camera, {0.8f, 5}, pixel, u), 5) == approx(seen, 2e-6f));
+        }
+    }
+}
+
+TEST_CASE("out of focus a point is a disk as wide as a thin lens makes it") {
+    // On the plane in focus, its circle of confusion is A |d - f| / d wide (Potmesil and Chakravarty 1982). A
+    // ray from the lens through the point at depth d meets the plane in focus there, and the picture's point
+    // that sees it is where the pinhole's ray meets that plane too.
+    const float aperture = 0.6f, focus = 4;
+    for (const float depth : {1.5f, 3.0f, 4.0f, 7.0f, 60.0f}) {
+        const float want = aperture * std::abs(depth - focus) / depth;
+        float widest = 0;
+        const vec2 pixel(210, 160);
+        const vec3 middle = at_depth(camera_ray(camera, pixel), focus);
+        // All rays of the pixel fill a disk of aperture |d - f| / f at the depth d: by similar triangles, a
+        // point there fills one of that times f / d in the picture.
+        const vec3 through = at_depth(camera_ray(camera, pixel), depth);
+        for (const vec2 u : grid()) {
+            const Ray ray = lens_ray(camera, {aperture, focus}, pixel, u);
+            widest = std::max(widest, 2 * distance(at_depth(ray, depth), through) * focus / depth);
+        }
+        INFO("at " << depth << " m");
+        CHECK(widest == approx(want, 2e-3f));
+        // And through the lens itself: the picture's points from which a ray hits the point exactly.
+        float reach = 0;
+        for (const vec2 u : grid()) {
+            const vec3 on_lens = lens_ray(camera, {aperture, focus}, pixel, u).origin;
+            const vec3 on_plane = on_lens + (through - on_lens) * (focus / depth);
+            reach = std::max(reach, 2 * distance(on_plane, middle));
+        }
+        CHECK(reach == approx(want, 2e-3f));
+    }
+}
+
+TEST_CASE("without --focus the camera focuses on what it looks at") {
+    Options options("test", "Where is it sharp?", RenderSettings{});
+    const LensKnobs knobs(options);
+    const std::array words{"test", "--aperture", "0.25"};
+    REQUIRE(options.parse(int(words.size()), words.data()));
+    CHECK(knobs.lens(pose).aperture == 0.25f);
+    CHECK(knobs.lens(pose).focus == approx(distance(pose.from, pose.at)));
+    Options other("test", "Where is it sharp?", RenderSettings{});
+    const LensKnobs near(other);
+    const std::array more{"test", "--aperture", "0.25", "--focus", "2.5"};
+    REQUIRE(other.parse(int(more.size()), more.data()));
+    CHECK(near.lens(pose).focus == 2.5f);
+}

@@ -1,0 +1,85 @@
+// Facts about lamps by themselves: the points picked on them, and the shares of two ways to find them.
+// Noisy facts are z-tests with a fixed seed: a right renderer is beyond |z| = 4 in one run of 16,000.
+#include "08_indirect/area_light.h"
+#include "tests/08_indirect/step.h"
+#include "tests/check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <vector>
+
+using namespace rt;
+
+TEST_CASE("the points of a light are spread evenly over it") {
+    const Quad quad{{1, 2, -1}, {2, 0.5f, 0.3f}, {0.9f, 1, 1.5f}, 0};
+    const LightTriangle triangle{{1, 0, 2}, {3, 0.5f, 1}, {0.5f, 2, -1}};
+    const Sphere sphere{{-1, 2, 0.5f}, 2.5f, 0};
+    // 64 cells of equal area: 63 degrees of freedom, above 120.6 once in 50,000.
+    const auto cells = [](auto&& light, const std::function<int(vec3)>& cell_of) {
+        std::vector<double> found(64), even(64, 500);
+        Random random(17);
+        for (int i = 0; i < 32'000; ++i)
+            found[std::size_t(std::clamp(cell_of(light_point(light, random.uniform2()).position), 0, 63))] +=
+                1;
+        return chi_square(found, even);
+    };
+    CHECK(cells(quad, [&](vec3 p) {
+              const vec2 uv = quad_uv(quad, dvec3(p));
+              return int(uv.x * 8) * 8 + int(uv.y * 8);
+          }) < 120.6);
+    INFO("triangle: u.x for sqrt(u.x) crowds the points at a corner");
+    CHECK(
+        cells(triangle, [&](vec3 p) { // 8 strips each way, each square of them cut in two: 36 + 28 triangles
+            const vec3 b = triangle.b - triangle.a, c = triangle.c - triangle.a, n = cross(b, c);
+            const vec2 uv =
+                8.0f * vec2(dot(cross(p - triangle.a, c), n), dot(cross(b, p - triangle.a), n)) / dot(n, n);
+            const vec2 corner = floor(uv), rest = uv - corner;
+            const int row = int(corner.x + corner.y);
+            return (rest.x + rest.y < 1 ? 0 : 36) + row * (row + 1) / 2 + int(corner.y);
+        }) < 120.6);
+    const vec3 axis = normals[5];
+    INFO("sphere: an even angle of latitude crowds the points at the poles");
+    CHECK(cells(sphere, [&](vec3 p) {
+              const vec3 n = (p - sphere.center) / sphere.radius;
+              return int((1 + dot(n, axis)) / 2 * 8) * 8 + int(azimuth(axis, n) * 8);
+          }) < 120.6);
+}
+
+TEST_CASE("the points of a light lie on it, and face along its normal") {
+    const Quad quad{{1, 2, -1}, {2, 0.5f, 0.3f}, {0.9f, 1, 1.5f}, 0};
+    const LightTriangle triangle{{1, 0, 2}, {3, 0.5f, 1}, {0.5f, 2, -1}};
+    const Sphere sphere{{-1, 2, 0.5f}, 2.5f, 0};
+    const vec3 quad_normal = cross(quad.edge_u, quad.edge_v);
+    const vec3 triangle_normal = cross(triangle.b - triangle.a, triangle.c - triangle.a);
+    Mean height; // a uniform direction has the mean cosine 1/2 over a half-sphere
+    Random random(19);
+    for (int i = 0; i < 3000; ++i) {
+        const vec2 u = random.uniform2();
+        const LightPoint a = light_point(quad, u), b = light_point(triangle, u), c = light_point(sphere, u);
+        const vec2 uv = quad_uv(quad, dvec3(a.position));
+        REQUIRE(min(uv, 1.0f - uv) == approx(max(min(uv, 1.0f - uv), vec2(0))));
+        REQUIRE(dot(a.position - quad.corner, quad_normal) == approx(0));
+        REQUIRE(std::abs(dot(a.normal, normalize(quad_normal))) == approx(1));
+        REQUIRE(dot(b.position - triangle.a, triangle_normal) == approx(0));
+        REQUIRE(std::abs(dot(b.normal, normalize(triangle_normal))) == approx(1));
+        REQUIRE(distance(c.position, sphere.center) == approx(2.5f));
+        REQUIRE(c.position == approx(sphere.center + 2.5f * c.normal));
+        height.add(double(std::abs(dot(c.normal, normals[5]))));
+    }
+    INFO("mean |cosine| of uniform directions, 1/2: " << height.against(0.5));
+    CHECK(off(height, 0.5) < 4);
+}
+
+TEST_CASE("the shares of two ways to find the same light add up to one") {
+    const float most = std::numeric_limits<float>::max();
+    for (const float p : {1e-30f, 1e-6f, 0.3f, 1.0f, 7.0f, 1e9f, most})
+        for (const float q : {1e-30f, 1e-6f, 0.2f, 1.0f, 50.0f, 1e9f, most}) {
+            INFO("densities " << p << " and " << q << ": " << share(p, q) << " and " << share(q, p));
+            REQUIRE(share(p, q) + share(q, p) == approx(1, 1e-6f));
+        }
+    CHECK_MESSAGE(share(3, 0) == 1, "alone, a way gets all");
+    CHECK_MESSAGE(share(3, 1) == approx(0.9f), "3^2 / (3^2 + 1^2); 3/4 would be the balance heuristic");
+    CHECK(share(1e-3f, most) == 0);
+}

@@ -1,0 +1,203 @@
+// Facts about bounces: how they are spread over the directions above a surface, and what roulette leaves.
+// Noisy facts are z-tests with a fixed seed: a right renderer is beyond |z| = 4 in one run of 16,000.
+#include "08_indirect/bounce.h"
+#include "tests/08_indirect/step.h"
+#include "tests/check.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+using namespace rt;
+
+TEST_CASE("two tangents and the normal stand at right angles, for every normal") {
+    Random random(1);
+    std::vector<vec3> all(normals.begin(), normals.end());
+    for (int i = 0; i < 1000; ++i)
+        all.push_back(normalize(vec3(random.uniform(), random.uniform(), random.uniform()) - 0.5f));
+    for (const vec3 n : all) {
+        const Tangents pair = tangents(n);
+        const vec3 u = pair.u, v = pair.v;
+        INFO("normal " << to_text(n) << " has tangents " << to_text(u) << " and " << to_text(v));
+        INFO("NaN at (0, 0, -1): a cross product with the normal itself, or a division by 1 + z");
+        REQUIRE(length(u) == approx(1));
+        REQUIRE(length(v) == approx(1));
+        REQUIRE(dot(u, n) == approx(0));
+        REQUIRE(dot(v, n) == approx(0));
+        REQUIRE(dot(u, v) == approx(0));
+    }
+}
+
+TEST_CASE("a bounce has unit length and leaves above the surface") {
+    const float most = 1 - 0x1p-24f;
+    Random random(2);
+    for (const vec3 normal : normals) {
+        std::vector<vec2> all{{0, 0}, {0, most}, {most, 0}, {most, most}, {0.5f, 0.25f}};
+        for (int i = 0; i < 2000; ++i) all.push_back(random.uniform2());
+        for (const vec2 u : all) {
+            const vec3 direction = cosine_direction(normal, u);
+            INFO("normal " << to_text(normal) << ", u " << to_text(u) << ", direction "
+                           << to_text(direction));
+            REQUIRE(length(direction) == approx(1));
+            REQUIRE_MESSAGE(dot(direction, normal) > 0, "below the surface: light comes out of the table");
+        }
+    }
+}
+
+TEST_CASE("bounces crowd around the normal by Lambert's cosine") {
+    for (const vec3 normal : normals) {
+        Mean cosine, inverse;
+        std::vector<double> found(10), even(10, 2000);
+        Random random(3);
+        for (int i = 0; i < 20'000; ++i) {
+            const float c = dot(cosine_direction(normal, random.uniform2()), normal);
+            cosine.add(double(c));
+            inverse.add(c > 0.02f ? 1 / double(cosine_pdf(c)) : 0);
+            found[std::size_t(std::clamp(int(c * c * 10), 0, 9))] += 1;
+        }
+        INFO("normal " << to_text(normal));
+        INFO("mean cosine, 2/3; 1/2 would be uniform directions, 3/4 cos^2: " << cosine.against(2.0 / 3));
+        CHECK(off(cosine, 2.0 / 3) < 4);
+        // All directions within acos(.02) of the normal fill 2 pi (1 - .02); without that cut 1/pdf has no
+        // variance.
+        const double directions = 2 * double(pi) * 0.98;
+        INFO("mean of 1/pdf, the solid angle of all directions, 2 pi: " << inverse.against(directions));
+        CHECK(off(inverse, directions) < 4);
+        INFO("cos^2 is uniform; chi-square of ten bins is above 27.9 once in 1,000 for each of nine normals");
+        CHECK(chi_square(found, even) < 27.9);
+    }
+}
+
+TEST_CASE("the mean of 1/pdf over all bounces is 2 pi") {
+    // Evenly spaced u in place of chance: the sum converges with the root of the step.
+    double sum = 0;
+    const int steps = 400'000;
+    const vec3 normal = normals[4];
+    for (int i = 0; i < steps; ++i) {
+        const vec3 direction = cosine_direction(normal, {(float(i) + 0.5f) / float(steps), 0.37f});
+        sum += 1 / double(cosine_pdf(dot(direction, normal))) / steps;
+    }
+    INFO("pi would be a pdf without its pi, 2 pi the right one");
+    CHECK(float(sum) == approx(2 * pi, 2e-3f));
+}
+
+TEST_CASE("the declared density of bounces is that of the bounces") {
+    // 8 x 12 cells of equal solid angle around an oblique normal; what each should get is the pdf, summed up.
+    // 95 degrees of freedom: above 163.3 once in 50,000. It sees the azimuth too.
+    const int cosines = 8, angles = 12, samples = 60'000;
+    for (const vec3 normal : {normals[4], normals[5], normals[2]}) {
+        std::vector<double> found(cosines * angles), expected(cosines * angles);
+        Random random(5);
+        for (int i = 0; i < samples; ++i) {
+            const vec3 direction = cosine_direction(normal, random.uniform2());
+            const int row = std::clamp(int(dot(direction, normal) * cosines), 0, cosines - 1);
+            found[std::size_t(row * angles + int(azimuth(normal, direction) * angles))] += 1;
+        }
+        for (int row = 0; row < cosines; ++row)
+            for (int angle = 0; angle < angles; ++angle)
+                for (int i = 0; i < 100; ++i) {
+                    const float c = (float(row) + (float(i) + 0.5f) / 100) / cosines;
+                    expected[std::size_t(row * angles + angle)] +=
+                        samples * double(cosine_pdf(c)) * 2 * double(pi) / angles / cosines / 100;
+                }
+        double total = 0;
+        for (const double cell : expected) total += cell / samples;
+        CHECK_MESSAGE(float(total) == approx(1, 1e-4f),
+                      "the density is to integrate to 1 over the half-sphere");
+        INFO("normal " << to_text(normal)
+                       << ": a sampler with the density of another one, or an uneven azimuth");
+        CHECK(chi_square(found, expected) < 163.3);
+    }
+    CHECK_MESSAGE(cosine_pdf(-0.4f) == 0, "no bounce goes below the surface");
+    CHECK(cosine_pdf(0.4f) == approx(0.4f / pi));
+}
+
+TEST_CASE("bounces go as often to the left as to the right") {
+    // 24 bins, 23 degrees of freedom: above 62 once in 50,000.
+    for (const vec3 normal : normals) {
+        std::vector<double> found(24), even(24, 1000);
+        Mean with_height;
+        Random random(7);
+        for (int i = 0; i < 24'000; ++i) {
+            const vec3 direction = cosine_direction(normal, random.uniform2());
+            const double turn = azimuth(normal, direction);
+            found[std::size_t(turn * 24)] += 1;
+            with_height.add(std::cos(2 * double(pi) * turn) * double(dot(direction, normal)));
+        }
+        INFO("normal " << to_text(normal));
+        CHECK(chi_square(found, even) < 62);
+        INFO("the angle around the normal knows nothing of the height: " << with_height.against(0));
+        CHECK(off(with_height, 0) < 4);
+    }
+}
+
+TEST_CASE("roulette leaves the mean of what a path carries unchanged") {
+    for (const vec3 carried :
+         {vec3(0.2f, 0.05f, 0.1f), vec3(0.02f), vec3(0.5f, 0.9f, 0.1f), vec3(1), vec3(1.3f)}) {
+        std::array<Mean, 3> mean;
+        Random random(11);
+        for (int i = 0; i < 50'000; ++i) {
+            const vec3 left = roulette(carried, random).value_or(vec3(0));
+            for (int k = 0; k < 3; ++k) mean[std::size_t(k)].add(double(left[k]));
+        }
+        for (int k = 0; k < 3; ++k) {
+            INFO("channel " << k << ": " << mean[std::size_t(k)].against(double(carried[k]))
+                            << "; too low: what goes on is to be divided by the probability that it does");
+            CHECK(off(mean[std::size_t(k)], double(carried[k])) < 4);
+        }
+    }
+}
+
+TEST_CASE("roulette ends dim paths oftener than bright ones, and black ones at once") {
+    Random random(13);
+    const auto survivors = [&](vec3 carried) {
+        int count = 0;
+        for (int i = 0; i < 10'000; ++i) count += roulette(carried, random).has_value();
+        return count;
+    };
+    const int dim = survivors(vec3(0.05f)), middle = survivors(vec3(0.1f, 0.4f, 0.3f)),
+              bright = survivors(vec3(0.8f));
+    INFO("of 10,000 paths " << dim << " dim, " << middle << " middling and " << bright
+                            << " bright ones went on");
+    CHECK(dim < middle);
+    CHECK(middle < bright);
+    CHECK_MESSAGE(dim < 2000, "hardly any path ends: roulette saves no work");
+    CHECK(survivors(vec3(0)) == 0);
+}
+
+TEST_CASE("unit vectors go to all sides alike, uniform bounces to all sides above the surface") {
+    const int samples = 40'000;
+    std::array<Mean, 3> mean, square;
+    Random random(67);
+    for (int i = 0; i < samples; ++i) {
+        const vec3 direction = unit_vector(random.uniform2());
+        REQUIRE(length(direction) == approx(1));
+        for (int k = 0; k < 3; ++k) {
+            mean[std::size_t(k)].add(double(direction[k]));
+            square[std::size_t(k)].add(double(direction[k] * direction[k]));
+        }
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+        INFO("axis " << k << ": mean " << mean[k].against(0) << "; of the square "
+                     << square[k].against(1.0 / 3));
+        CHECK(off(mean[k], 0) < 4);
+        CHECK(off(square[k], 1.0 / 3) < 4);
+    }
+    // 8 x 12 cells of equal solid angle: 95 degrees of freedom, above 163.3 once in 50,000.
+    for (const vec3 normal : {normals[4], normals[2], normals[8]}) {
+        std::vector<double> found(96), even(96, samples / 96.0);
+        for (int i = 0; i < samples; ++i) {
+            const vec3 direction = bounce_direction(Spread::uniform, normal, random.uniform2());
+            const float cosine = dot(direction, normal);
+            REQUIRE_MESSAGE(cosine >= 0, "below the surface");
+            const int row = std::clamp(int(cosine * 8), 0, 7);
+            found[std::size_t(row * 12 + int(azimuth(normal, direction) * 12))] += 1;
+        }
+        INFO("normal " << to_text(normal) << ": by the cosine would crowd around the normal");
+        CHECK(chi_square(found, even) < 163.3);
+    }
+    CHECK_MESSAGE(bounce_pdf(Spread::uniform, 0.3f) == approx(1 / (2 * pi)), "2 pi directions, all alike");
+    CHECK(bounce_pdf(Spread::uniform, -0.3f) == 0);
+    CHECK(bounce_pdf(Spread::cosine, 0.3f) == cosine_pdf(0.3f));
+}

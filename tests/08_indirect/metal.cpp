@@ -1,0 +1,54 @@
+// Facts about metals: where they send a ray, and what gets lost.
+// Noisy facts are z-tests with a fixed seed: a right renderer is beyond |z| = 4 in one run of 16,000.
+#include "08_indirect/metal.h"
+#include "tests/08_indirect/step.h"
+#include "tests/check.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace rt;
+
+TEST_CASE("a metal without fuzz is a mirror") {
+    for (const vec3 normal : normals) {
+        const Hit hit = facing({1, 2, 3}, normal);
+        const vec3 direction = 1.7f * normalize(tangents(normal).u - 0.6f * normal);
+        const auto ray =
+            metal_ray(Metal{vec3(0.5f)}, {vec3(1, 2, 3) - direction, direction}, hit, {0.3f, 0.8f});
+        REQUIRE(ray);
+        INFO("normal " << to_text(normal));
+        CHECK(normalize(ray->direction) == approx(normalize(reflect(direction, normal))));
+        CHECK(ray->origin == approx(offset_position(hit, ray->direction)));
+    }
+}
+
+TEST_CASE("a fuzzy metal strays evenly around the mirror's direction, and loses what goes into the surface") {
+    // On the ball of radius f around the unit mirrored direction, heights are even: with the cosine c of the
+    // mirrored ray a share (1 - c / f) / 2 lies below the surface.
+    for (const float fuzz : {0.2f, 0.7f, 1.0f})
+        for (const float cosine : {0.1f, 0.45f, 0.95f}) {
+            const vec3 normal = normals[5];
+            const vec3 along = tangents(normal).v;
+            const vec3 direction = 2.5f * (std::sqrt(1 - cosine * cosine) * along - cosine * normal);
+            const vec3 mirrored = normalize(reflect(direction, normal));
+            const Hit hit = facing({1, 2, 3}, normal);
+            Mean lost, height, squared;
+            Random random(71);
+            for (int i = 0; i < 20'000; ++i) {
+                const auto ray = metal_ray(Metal{vec3(1), fuzz}, {vec3(1, 2, 3) - direction, direction}, hit,
+                                           random.uniform2());
+                lost.add(ray ? 0 : 1);
+                if (!ray) continue;
+                REQUIRE(dot(ray->direction, normal) > 0);
+                const vec3 strayed = ray->direction - mirrored;
+                height.add(double(dot(strayed, mirrored)));
+                squared.add(double(dot(strayed, strayed)));
+            }
+            const double share_lost = std::max(0.0, (1 - double(cosine / fuzz)) / 2);
+            INFO("fuzz " << fuzz << ", cosine " << cosine << ": lost " << lost.against(share_lost)
+                         << "; the direction of the incoming ray is to have unit length first");
+            CHECK(off(lost, share_lost) < 4);
+            CHECK(float(squared.mean()) == approx(fuzz * fuzz, 1e-4f));
+            if (share_lost == 0) CHECK(off(height, 0) < 4);
+        }
+}

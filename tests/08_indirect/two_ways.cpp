@@ -1,0 +1,140 @@
+// Facts about paths that look for lamps in two ways, lamps in meshes too: the light is the same, and both together are
+// less noisy.
+// Noisy facts are z-tests with a fixed seed: a right renderer is beyond |z| = 4 in one run of 16,000.
+#include "08_indirect/radiance.h"
+#include "08_indirect/scene.h"
+#include "common/model/obj_file.h"
+#include "tests/08_indirect/step.h"
+#include "tests/08_indirect/lamps.h"
+#include "tests/08_indirect/paths.h"
+#include "tests/check.h"
+
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+using namespace rt;
+
+TEST_CASE("near a large lamp, however it is looked for, the same light arrives") {
+    // A floor point close below a lamp that fills much of its sky: quad, triangle or ball.
+    const vec3 position(0.2f, 0, 0.3f), up(0, 1, 0);
+    const std::vector<vec3> triangle{{-2, 0.3f, -1}, {2.5f, 0.5f, -1.5f}, {0.2f, 0.4f, 3}};
+    for (int kind = 0; kind < 3; ++kind) {
+        Scene scene;
+        const int lamp = add(scene, flat(vec3(3)));
+        scene.planes = {{{0, 0, 0}, up, add(scene, Diffuse{vec3(0.6f)})}};
+        double factor = 0;
+        if (kind == 0) {
+            scene.quads = {{{-1.5f, 0.4f, -1.5f}, {3, 0.3f, 0}, {0, 0.1f, 3}, lamp}};
+            factor = form_factor(corners_of(scene.quads[0]), position, up);
+        } else if (kind == 1) {
+            add_triangle(scene, triangle[0], triangle[1], triangle[2], lamp);
+            factor = form_factor(triangle, position, up);
+        } else {
+            scene.spheres = {{{0.5f, 1.3f, 0.1f}, 1, lamp}};
+            const vec3 way = scene.spheres[0].center - position;
+            factor = double(dot(normalize(way), up)) / double(dot(way, way));
+        }
+        for (const Direct direct : all_ways)
+            for (const Spread spread : {Spread::cosine, Spread::uniform}) {
+                const Transport transport{1, true, direct, false, spread};
+                const Mean mean =
+                    seen(scene, transport, {position + vec3(-9, 0.5f, 0), vec3(9, -0.5f, 0)}, 40'000);
+                INFO(std::string(kind == 0   ? "quad, "
+                                 : kind == 1 ? "triangle, "
+                                             : "ball, ")
+                     << words(transport) << ": " << mean.against(0.6 * 3 * factor));
+                INFO("with both ways too bright or too dark: their shares do not add up, or one has "
+                     "another's density");
+                CHECK(off(mean, 0.6 * 3 * factor) < 4);
+            }
+    }
+}
+
+TEST_CASE("both ways together are less noisy than either, near a lamp and far from it") {
+    // A large lamp just above the floor, where asking is bad, and a small one far above, where chance is bad.
+    const auto variance = [](bool both, Direct direct) {
+        Scene scene;
+        scene.planes = {{{0, 0, 0}, {0, 1, 0}, add(scene, Diffuse{vec3(0.6f)})}};
+        scene.quads = {{{-1.5f, 0.15f, -1.5f}, {3, 0.2f, 0}, {0, 0.1f, 3}, add(scene, flat(vec3(1)))}};
+        if (both) {
+            scene.quads[0] = {{0.25f, 0.05f, -1.5f}, {1.5f, 1.2f, 0}, {0, 0, 3}, scene.quads[0].material};
+            scene.quads.push_back({{-1, 4, 0}, {0.3f, 0, 0}, {0, 0, 0.3f}, add(scene, flat(vec3(40)))});
+        }
+        const Transport transport{1, true, direct, false};
+        return seen(scene, transport, {vec3(-9, 0.2f, 0.3f), vec3(9.2f, -0.2f, 0)}, 40'000).variance();
+    };
+    for (const bool both : {false, true}) {
+        const double mis = variance(both, Direct::mis);
+        const double lights = variance(both, Direct::lights), bounces = variance(both, Direct::bounces);
+        INFO("variance " << mis << " with both, " << lights << " asked, " << bounces << " by chance");
+        CHECK(mis < 0.9 * lights);
+        if (both) CHECK(mis < 0.9 * bounces);
+    }
+}
+
+TEST_CASE("found by chance, a bright ball sends as much as when it is asked") {
+    // The lamp is small and bright: what clamps its rare, large samples loses their light.
+    for (const Direct direct : all_ways) {
+        Scene scene;
+        const int floor = add(scene, Diffuse{vec3(0.6f)});
+        scene.planes = {{{0, 0, 0}, normalize(vec3(0.2f, 1, -0.1f)), floor}};
+        scene.spheres = {{{1, 2, -1.5f}, 0.3f, add(scene, flat(vec3(500)))}};
+        const vec3 normal = scene.planes[0].normal, way(1, 2, -1.5f);
+        const double want = 0.6 * 500 * 0.09 / double(dot(way, way)) * double(dot(normalize(way), normal));
+        const Transport transport{1, true, direct, false};
+        const Mean mean = seen(scene, transport, {{-3, 2, 2}, {3, -2, -2}}, 60'000);
+        INFO(words(transport) << ": " << mean.against(want));
+        CHECK(off(mean, want) < 4);
+    }
+}
+
+TEST_CASE("triangles with Ke in a mesh's MTL are area lights on both sides") {
+    const auto folder = std::filesystem::temp_directory_path() / ("raysteps_08_" + std::to_string(getpid()));
+    std::filesystem::create_directories(folder);
+    std::ofstream(folder / "box.mtl") << "newmtl glow\nKd .5 .5 .5\nKe 1 2 0\n"
+                                         "newmtl lamp\nKd 0 0 0\nKe 6 6 6\nnewmtl grey\nKd .6 .6 .6\n";
+    // A box 2 x 1 x 3 that is closed, and by itself a lamp over a floor.
+    std::ofstream(folder / "box.obj")
+        << "mtllib box.mtl\nv 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nv 0 0 3\nv 2 0 3\nv 2 1 3\nv 0 1 3\n"
+           "usemtl glow\nf 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 4 8 7 3\nf 1 5 8 4\nf 2 3 7 6\n";
+    std::ofstream(folder / "lamp.obj") << "mtllib box.mtl\nv -4 0 -4\nv 4 0 -4\nv 4 0 4\nv -4 0 4\n"
+                                          "v -.5 2 -.5\nv .7 2.3 -.4\nv .1 2.1 .8\n"
+                                          "usemtl grey\nf 1 4 3 2\nusemtl lamp\nf 5 6 7\n";
+    const ObjFile box = read_obj((folder / "box.obj").string());
+    const ObjFile lamp = read_obj((folder / "lamp.obj").string());
+    std::filesystem::remove_all(folder);
+
+    Scene closed;
+    add(closed, box, 30);
+    prepare(closed);
+    const AreaLights lights = area_lights(closed);
+    CHECK_MESSAGE(lights.list.size() == 12, "every triangle that glows is a light of its own");
+    Random random(61);
+    const Ray inside{{0.7f, 0.4f, 1.2f}, {0.3f, -0.5f, 0.2f}};
+    const vec3 chance = radiance(closed, lights, {60, true, Direct::bounces, false}, inside, random);
+    INFO("Ke 1, Kd .5, closed: Ke / (1 - Kd) = 2");
+    CHECK(chance == approx(vec3(2, 4, 0), 1e-4f));
+    const Mean once = seen(closed, {1, true, Direct::lights, false}, inside);
+    INFO("lights sampled, one bounce: " << once.against(1.5));
+    CHECK(off(once, 1.5) < 4);
+
+    Scene open;
+    add(open, lamp, 30);
+    const std::vector<vec3> triangle{{-0.5f, 2, -0.5f}, {0.7f, 2.3f, -0.4f}, {0.1f, 2.1f, 0.8f}};
+    const double want = 0.6 * 6 * form_factor(triangle, {0.4f, 0, -0.3f}, {0, 1, 0});
+    for (const Direct direct : all_ways) {
+        const Transport transport{1, true, direct, false};
+        const Mean mean = seen(open, transport, {{2.4f, 1, -1.3f}, {-2, -1, 1}}, 40'000);
+        INFO("under the lamp, " << words(transport) << ": " << mean.against(want));
+        CHECK(off(mean, want) < 4);
+    }
+    const vec3 above(0.2f, 4, 0.1f);
+    const Mean back = received(open, above, {0, -1, 0});
+    INFO("above the lamp: " << back.against(6 * form_factor(triangle, above, {0, -1, 0})));
+    CHECK(off(back, 6 * form_factor(triangle, above, {0, -1, 0})) < 4);
+}

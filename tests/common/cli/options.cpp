@@ -1,0 +1,392 @@
+// Facts about the command line: what is right is read, what is wrong is refused in one line that says why.
+#include "common/cli/options.h"
+
+#include "common/util/error.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <iostream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+enum class View { light, normal, depth };
+
+/// A program with a knob of each kind.
+struct Program {
+    rt::Options options;
+    const float& ior;
+    const int& depth;
+    const rt::dvec3& from;
+    const bool& bare;
+    const std::string& mesh;
+    const rt::Choice<View> view;
+
+    Program()
+        : options("03_test", "What is asked here?", {}),
+          ior(options.knob("ior", 1.5f, 1.0f, 2.5f, "index of refraction")),
+          depth(options.knob("depth", 5, 1, 20, "most bounces of a path")),
+          from(options.knob("from", rt::vec3(0, 1.25f, -4), "where the camera stands, metres")),
+          bare(options.flag("bare", "the model alone")), mesh(options.file("mesh", "an OBJ to render")),
+          view(options.choice("view", {"light", "normal", "depth"}, View::normal, "what a ray shows")) {}
+
+    bool parse(const std::vector<std::string>& words) {
+        std::vector<const char*> argv{"03_test"};
+        for (const std::string& word : words) argv.push_back(word.c_str());
+        return options.parse(int(argv.size()), argv.data());
+    }
+};
+
+/// The message that refuses `words`, or "" if they are taken.
+std::string refusal(const std::vector<std::string>& words) {
+    Program program;
+    try {
+        program.parse(words);
+    } catch (const rt::Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+bool contains(const std::string& text, const std::string& fragment) {
+    return text.find(fragment) != std::string::npos;
+}
+
+struct Wrong {
+    std::vector<std::string> words;
+    std::vector<std::string> fragments; ///< of the message
+};
+
+void check_refused(const std::vector<Wrong>& all) {
+    for (const Wrong& wrong : all) {
+        std::string line;
+        for (const std::string& word : wrong.words) line += word + " ";
+        CAPTURE(line);
+        const std::string message = refusal(wrong.words);
+        CAPTURE(message);
+        CHECK_FALSE(message.empty());
+        CHECK_FALSE(contains(message, "\n"));
+        for (const std::string& fragment : wrong.fragments) {
+            CAPTURE(fragment);
+            CHECK(contains(message, fragment));
+        }
+    }
+}
+
+std::string help_text(const std::vector<std::string>& words) {
+    std::ostringstream text;
+    std::streambuf* const old = std::cout.rdbuf(text.rdbuf());
+    Program program;
+    const bool goes_on = program.parse(words);
+    std::cout.rdbuf(old);
+    CHECK_FALSE(goes_on);
+    return text.str();
+}
+
+} // namespace
+
+TEST_CASE("a bare command line gives the defaults") {
+    Program program;
+    CHECK(program.parse({}));
+    CHECK(program.ior == 1.5f);
+    CHECK(program.depth == 5);
+    CHECK(program.from == rt::dvec3(0, 1.25, -4));
+    CHECK_FALSE(program.bare);
+    CHECK(program.mesh.empty());
+    CHECK(View(program.view) == View::normal);
+    const rt::RenderSettings& picture = program.options.picture();
+    CHECK(picture.width == 640);
+    CHECK(picture.height == 400);
+    CHECK(picture.samples == 1);
+    CHECK(picture.threads == 0);
+    CHECK(picture.seed == 1);
+    CHECK((picture.crop.x0 == 0 && picture.crop.y0 == 0 && picture.crop.x1 == 640 && picture.crop.y1 == 400));
+    CHECK(picture.out == "03_test");
+    CHECK(picture.variance.empty());
+    CHECK_FALSE(picture.quiet);
+}
+
+TEST_CASE("each flag sets what it names") {
+    Program program;
+    CHECK(program.parse({"--ior",
+                         "2.25",
+                         "--depth",
+                         "7",
+                         "--from",
+                         "1,2,3.5",
+                         "--bare",
+                         "--view",
+                         "depth",
+                         "--width",
+                         "300",
+                         "--height",
+                         "200",
+                         "--samples",
+                         "9",
+                         "--threads",
+                         "3",
+                         "--seed",
+                         "18446744073709551615",
+                         "--crop",
+                         "10,20,300,81",
+                         "--out",
+                         "a b/c.png",
+                         "--variance",
+                         "v.hdr",
+                         "--quiet",
+                         "--mesh",
+                         __FILE__}));
+    CHECK(program.ior == 2.25f);
+    CHECK(program.depth == 7);
+    CHECK(program.from == rt::dvec3(1, 2, 3.5));
+    CHECK(program.bare);
+    CHECK(program.mesh == __FILE__);
+    CHECK(View(program.view) == View::depth);
+    const rt::RenderSettings& picture = program.options.picture();
+    CHECK(picture.width == 300);
+    CHECK(picture.height == 200);
+    CHECK(picture.samples == 9);
+    CHECK(picture.threads == 3);
+    CHECK(picture.seed == 18446744073709551615u);
+    CHECK(
+        (picture.crop.x0 == 10 && picture.crop.y0 == 20 && picture.crop.x1 == 300 && picture.crop.y1 == 81));
+    CHECK(picture.out == "a b/c.png");
+    CHECK(picture.variance == "v.hdr");
+    CHECK(picture.quiet);
+}
+
+TEST_CASE("a value may be negative, and may follow an equals sign") {
+    for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+             {"--from", "-1,-0.5,-2e1"}, {"--from=-1,-.5,-20"}, {"--from", "-1,-0.5,-20.0"}}) {
+        Program program;
+        CHECK(program.parse(words));
+        CHECK(program.from == rt::dvec3(-1, -0.5, -20));
+    }
+    Program dotted;
+    CHECK(dotted.parse({"--from", "-.5,+.25,1.", "--depth=+6"}));
+    CHECK(dotted.from == rt::dvec3(-0.5, 0.25, 1));
+    Program far;
+    CHECK(far.parse({"--from", "500000.125,4649776.22,12.5"}));
+    CHECK_MESSAGE(far.from == rt::dvec3(500000.125, 4649776.22, 12.5),
+                  "no digit is lost: float has 7, these have 9");
+    CHECK(dotted.depth == 6);
+}
+
+TEST_CASE("the ends of a range are inside it") {
+    Program low, high;
+    CHECK(low.parse(
+        {"--ior", "1", "--depth", "1", "--width", "1", "--height", "1", "--samples", "1", "--seed", "0"}));
+    CHECK(low.ior == 1);
+    CHECK(low.options.picture().seed == 0);
+    CHECK(high.parse({"--ior", "2.5", "--depth", "20", "--width", "65536", "--height", "65536", "--crop",
+                      "65535,65530,65536,65536", "--samples", "1048576", "--threads", "1024"}));
+    CHECK(high.ior == 2.5f);
+    CHECK(high.options.picture().crop.x1 == 65536);
+}
+
+TEST_CASE("given tells what was typed from what was left alone") {
+    Program program;
+    CHECK(program.parse({"--ior", "1.5", "--bare", "--width", "640"})); // the defaults, but typed
+    CHECK(program.options.given("ior"));
+    CHECK(program.options.given("bare"));
+    CHECK(program.options.given("width"));
+    CHECK_FALSE(program.options.given("depth"));
+    CHECK_FALSE(program.options.given("height"));
+    CHECK_THROWS_AS(program.options.given("no_such_knob"), std::logic_error);
+}
+
+TEST_CASE("a number out of its range is refused with the range") {
+    check_refused({
+        {{"--ior", "7"}, {"--ior 7 is out of range: 1 to 2.5"}},
+        {{"--ior", "0.999"}, {"--ior 0.999 is out of range: 1 to 2.5"}},
+        {{"--ior", "-2"}, {"--ior -2 is out of range: 1 to 2.5"}},
+        {{"--ior", "1e99"}, {"--ior 1e99 is out of range: 1 to 2.5"}},
+        {{"--ior", "2.5000003"}, {"out of range"}},
+        {{"--depth", "0"}, {"--depth 0 is out of range: 1 to 20"}},
+        {{"--depth", "21"}, {"--depth 21 is out of range: 1 to 20"}},
+        {{"--depth", "4294967301"}, {"out of range: 1 to 20"}}, // 5 + 2^32
+        {{"--width", "0"}, {"--width 0 is out of range: 1 to 65536"}},
+        {{"--width", "65537"}, {"out of range"}},
+        {{"--height", "-4"}, {"--height -4 is out of range: 1 to 65536"}},
+        {{"--samples", "0"}, {"--samples 0 is out of range: 1 to 1048576"}},
+        {{"--samples", "99999999999999999999"}, {"--samples", "out of range"}},
+        {{"--threads", "-1"}, {"--threads -1 is out of range: 0 to 1024"}},
+        {{"--seed", "-1"}, {"--seed -1 is out of range: 0 to 18446744073709551615"}},
+        {{"--seed", "18446744073709551616"}, {"--seed", "out of range"}},
+    });
+}
+
+TEST_CASE("what is not a number is refused with the range") {
+    check_refused({
+        {{"--ior", "glass"}, {"--ior glass is not a number: 1 to 2.5"}},
+        {{"--ior", "1.5x"}, {"--ior 1.5x is not a number: 1 to 2.5"}},
+        {{"--ior", "1.5 "}, {"--ior", "not a number"}},
+        {{"--ior", " 1.5"}, {"--ior", "not a number"}},
+        {{"--ior", "1,5"}, {"--ior 1,5 is not a number"}},
+        {{"--ior", "nan"}, {"--ior nan is not a number"}},
+        {{"--ior", "inf"}, {"--ior inf is not a number"}},
+        {{"--ior", "0x1p0"}, {"--ior 0x1p0 is not a number"}},
+        {{"--ior", "1.5.5"}, {"not a number"}},
+        {{"--ior", "."}, {"not a number"}},
+        {{"--ior", ""}, {"--ior '' is not a number"}},
+        {{"--depth", "1.5"}, {"--depth 1.5 is not a whole number: 1 to 20"}},
+        {{"--depth", "5x"}, {"--depth 5x is not a whole number"}},
+        {{"--depth", "-"}, {"--depth - is not a whole number"}},
+        {{"--depth", "--5"}, {"--depth"}},
+        {{"--width", "640px"}, {"--width 640px is not a whole number: 1 to 65536"}},
+        {{"--seed", "1e3"}, {"--seed 1e3 is not a whole number"}},
+    });
+}
+
+TEST_CASE("a point is three finite numbers") {
+    check_refused({
+        {{"--from", "1,2"}, {"--from 1,2 ", "three numbers x,y,z"}},
+        {{"--from", "1,2,3,4"}, {"--from 1,2,3,4", "three numbers"}},
+        {{"--from", "1,,3"}, {"--from", "not a number", "three numbers"}},
+        {{"--from", "1,2,"}, {"--from", "not a number", "three numbers"}},
+        {{"--from", "1,2,up"}, {"--from up is not a number", "three numbers"}},
+        {{"--from", "1,2,3z"}, {"--from", "not a number"}},
+        {{"--from", "0,nan,0"}, {"--from", "not a number"}},
+        {{"--from", "0,1e39,0"}, {"--from 0,1e39,0 is not finite"}},
+    });
+}
+
+TEST_CASE("a crop is a rectangle inside the picture") {
+    const std::string right = "0 <= x0 < x1 <= 640 and 0 <= y0 < y1 <= 400";
+    check_refused({
+        {{"--crop", "10,20,641,80"}, {"--crop 10,20,641,80 is not inside the picture", right}},
+        {{"--crop", "10,20,60,401"}, {"not inside the picture", right}},
+        {{"--crop", "10,20,10,80"}, {"--crop 10,20,10,80 is empty", right}},
+        {{"--crop", "10,20,60,20"}, {"is empty", right}},
+        {{"--crop", "60,20,10,80"}, {"is empty", right}},
+        {{"--crop", "700,0,800,10"}, {"not inside"}},
+        {{"--crop", "-1,0,10,10"}, {"--crop -1 is out of range"}},
+        {{"--crop", "10,20,60"}, {"--crop 10,20,60 ", "x0,y0,x1,y1"}},
+        {{"--crop", "1,2,3,4,5"}, {"--crop", "x0,y0,x1,y1"}},
+        {{"--crop", "1,2,3.5,4"}, {"--crop 3.5 is not a whole number"}},
+        {{"--crop", "a,b,c,d"}, {"--crop a is not a whole number"}},
+    });
+    Program program; // the order of the flags does not matter
+    CHECK(program.parse({"--crop", "0,0,1000,900", "--width", "1000", "--height", "900"}));
+}
+
+TEST_CASE("an unknown flag is refused, with the one that was probably meant") {
+    check_refused({
+        {{"--sampels", "4"}, {"--sampels is not a flag of 03_test", "did you mean --samples?"}},
+        {{"--sample=4"}, {"--sample is not a flag", "did you mean --samples?"}},
+        {{"--widht", "4"}, {"did you mean --width?"}},
+        {{"-width", "4"}, {"did you mean --width?"}},
+        {{"--hieght", "4"}, {"did you mean --height?"}},
+        {{"--var", "a.hdr"}, {"did you mean --variance?"}},
+        {{"--Quiet"}, {"did you mean --quiet?"}},
+        {{"--helpp"}, {"did you mean --help?"}},
+        {{"--smaplse", "4"}, {"did you mean --samples?"}}, // letters swapped twice
+        {{"--teapot"}, {"--teapot is not a flag of 03_test: --help lists them all"}},
+        {{"-x"}, {"-x is not a flag"}},
+        {{"---"}, {"--- is not a flag"}},
+    });
+    CHECK_FALSE(contains(refusal({"--teapot"}), "did you mean"));
+}
+
+TEST_CASE("a word without a flag is refused") {
+    check_refused({
+        {{"picture.png"}, {"picture.png has no flag before it"}},
+        {{"--bare", "yes"}, {"yes has no flag before it"}},
+        {{"--width", "4", "5"}, {"5 has no flag before it"}},
+        {{"--", "5"}, {"-- is not a flag"}},
+        {{"-1,2,3"}, {"-1,2,3"}},
+    });
+}
+
+TEST_CASE("a flag without its value is refused with what it takes") {
+    check_refused({
+        {{"--width"}, {"--width needs a value: --width N"}},
+        {{"--crop"}, {"--crop needs a value: --crop X0,Y0,X1,Y1"}},
+        {{"--out"}, {"--out needs a value: --out FILE"}},
+        {{"--from", "--bare"}, {"--from needs a value: --from X,Y,Z"}},
+        {{"--width", "--height", "7"}, {"--width needs a value"}},
+    });
+}
+
+TEST_CASE("a flag that takes no value is refused one") {
+    check_refused({{{"--bare=no"}, {"--bare takes no value"}}, {{"--quiet=5"}, {"--quiet takes no value"}}});
+}
+
+TEST_CASE("a flag that is given twice is refused") {
+    check_refused({
+        {{"--width", "4", "--width", "5"}, {"--width is given twice"}},
+        {{"--ior", "1.2", "--ior=1.3"}, {"--ior is given twice"}},
+        {{"--bare", "--bare"}, {"--bare is given twice"}},
+        {{"--out", "a", "--quiet", "--out", "a"}, {"--out is given twice"}},
+    });
+}
+
+TEST_CASE("a choice that does not exist is refused with those that do") {
+    check_refused({
+        {{"--view", "wire"}, {"--view wire is not a choice", "one of light, normal, depth"}},
+        {{"--view", "dpeth"}, {"did you mean depth?", "one of light, normal, depth"}},
+        {{"--view", "2"}, {"--view 2", "one of light, normal, depth"}},
+        {{"--view", ""}, {"--view ''", "one of light, normal, depth"}},
+    });
+}
+
+TEST_CASE("a file to read must exist and be a file, a file to write must have a name") {
+    check_refused({
+        {{"--mesh", "no/such.obj"}, {"--mesh no/such.obj does not exist"}},
+        {{"--mesh", "/"}, {"--mesh / is a folder"}},
+        {{"--mesh", ""}, {"--mesh '' does not exist"}},
+        {{"--out", ""}, {"--out"}},
+        {{"--variance", ""}, {"--variance"}},
+    });
+}
+
+TEST_CASE("a picture that memory or the file formats cannot hold is refused") {
+    check_refused({
+        {{"--width", "65536", "--height", "65536"}, {"65536 x 65536", "--crop"}},
+        {{"--width", "16385", "--height", "1"}, {"16385 x 1", "--width", "--crop"}},
+        {{"--width", "16384", "--height", "16384"}, {"16384 x 16384", "--crop"}},
+    });
+    Program part; // a part of a picture that is too large as a whole
+    CHECK(part.parse({"--width", "65536", "--height", "65536", "--crop", "65000,65000,65536,65536"}));
+}
+
+TEST_CASE("help opens with name and question, and explains every knob with range and default") {
+    const std::string help = help_text({"--help"});
+    CHECK(help.rfind("03_test: What is asked here?\n", 0) == 0);
+    std::string flat; // lines are wrapped: what is looked for may run over an end
+    for (const char c : help)
+        if (c != ' ' && c != '\n') flat += c;
+    for (const char* const expected :
+         {"--iorXindexofrefraction[1to2.5;default1.5]", "--depthNmostbouncesofapath[1to20;default5]",
+          "--fromX,Y,Zwherethecamerastands,metres[threenumbers;default0,1.25,-4]", "--barethemodelalone",
+          "--meshFILEanOBJtorender[defaultnone]",
+          "--viewNAMEwhatarayshows[oneoflight,normal,depth;defaultnormal]", "[1to65536;default640]",
+          "[1to65536;default400]", "--samplesNsamplesapixel[1to1048576;default1]", "[0to1024;default0]",
+          "[0to18446744073709551615;default1]", "--cropX0,Y0,X1,Y1", "default03_test", "--varianceFILE",
+          "--quiet", "--help"}) {
+        CAPTURE(std::string(expected));
+        CHECK(contains(flat, expected));
+    }
+}
+
+TEST_CASE("help keeps within 80 columns, and asks for nothing else to be right") {
+    std::istringstream lines(help_text({"--help", "--ior", "99", "--nonsense"}));
+    std::string line;
+    std::size_t longest = 0;
+    while (std::getline(lines, line)) longest = std::max(longest, line.size());
+    CHECK(longest <= 80);
+    CHECK(longest > 60);
+    CHECK(help_text({"-h"}).size() > 500);
+}
+
+TEST_CASE("a knob declared wrongly is a mistake of the program, told at once") {
+    Program program;
+    CHECK_THROWS_AS(program.options.knob("ior", 1.5f, 1.0f, 2.0f, "again"), std::logic_error);
+    CHECK_THROWS_AS(program.options.knob("width", 3, 1, 9, "a standard flag's name"), std::logic_error);
+    CHECK_THROWS_AS(program.options.knob("hot", 9.0f, 1.0f, 2.0f, "default out of range"), std::logic_error);
+    CHECK_THROWS_AS(program.options.knob("cold", 0, 1, 2, "default out of range"), std::logic_error);
+}

@@ -1,0 +1,166 @@
+// Facts about work on several threads: all of it is done, on no more threads than allowed, and no exception
+// is lost.
+#include "common/util/parallel.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+using namespace rt;
+
+namespace {
+
+/// Allows `count` threads until the end of the check.
+struct Allowed {
+    explicit Allowed(int count) { use_threads(count); }
+    ~Allowed() { use_threads(0); }
+    Allowed(const Allowed&) = delete;
+    Allowed& operator=(const Allowed&) = delete;
+};
+
+/// Calls both() within both(), `depth` deep, and `leaf` at each of the 2^depth ends.
+void tree_of_both(int depth, const std::function<void()>& leaf) {
+    if (depth == 0) return leaf();
+    both([&] { tree_of_both(depth - 1, leaf); }, [&] { tree_of_both(depth - 1, leaf); });
+}
+
+/// Waits until `flag` is set, for ten seconds at most. Answers whether it is.
+bool comes(const std::atomic<bool>& flag) {
+    for (int i = 0; i < 10000 && !flag; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return flag;
+}
+
+/// Whether each of both() sees that the other one has begun.
+bool at_the_same_time() {
+    std::atomic<bool> first = false, second = false, met_first = false, met_second = false;
+    both(
+        [&] {
+            first = true;
+            met_second = comes(second);
+        },
+        [&] {
+            second = true;
+            met_first = comes(first);
+        });
+    return met_first && met_second;
+}
+
+} // namespace
+
+TEST_CASE("both() does both, also within itself, on any number of threads") {
+    for (const int threads : {1, 2, 3, 8, 0}) {
+        CAPTURE(threads);
+        const Allowed allowed(threads);
+        std::atomic<int> leaves = 0;
+        tree_of_both(7, [&] { ++leaves; });
+        CHECK_MESSAGE(leaves == 128, "fewer: one of the two is lost where no thread is to be had");
+    }
+}
+
+TEST_CASE("both() works at the same time on two threads, again and again") {
+    const Allowed allowed(2);
+    CHECK(at_the_same_time());
+    CHECK_MESSAGE(at_the_same_time(), "a thread that has ended must be given back");
+}
+
+TEST_CASE("no more threads are at work than use_threads() allows") {
+    for (const int threads : {1, 2, 3}) {
+        CAPTURE(threads);
+        const Allowed allowed(threads);
+        std::atomic<int> at_work = 0, most = 0;
+        tree_of_both(6, [&] {
+            const int now = ++at_work;
+            for (int seen = most; seen < now && !most.compare_exchange_weak(seen, now);) continue;
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            --at_work;
+        });
+        CHECK(most <= threads);
+    }
+}
+
+TEST_CASE("with use_threads(1) all is done on the thread that calls") {
+    const Allowed allowed(1);
+    const auto own = std::this_thread::get_id();
+    int elsewhere = 0, ranges = 0;
+    tree_of_both(5, [&] { elsewhere += std::this_thread::get_id() != own; });
+    in_ranges(1000, 1, [&](std::size_t begin, std::size_t end) {
+        elsewhere += std::this_thread::get_id() != own;
+        ranges += begin == 0 && end == 1000;
+    });
+    CHECK(elsewhere == 0);
+    CHECK_MESSAGE(ranges == 1, "one thread has no use for more than one range");
+}
+
+TEST_CASE("what one of both throws comes out when neither is at work, on one thread and on two") {
+    for (const int threads : {1, 2}) {
+        for (const bool first_throws : {true, false}) {
+            CAPTURE(threads);
+            CAPTURE(first_throws);
+            const Allowed allowed(threads);
+            std::atomic<int> begun = 0, ended = 0;
+            const auto slow = [&] {
+                ++begun;
+                std::this_thread::sleep_for(std::chrono::milliseconds(20));
+                ++ended;
+            };
+            const auto failing = [] { throw std::runtime_error("no more"); };
+            const auto call = [&] { first_throws ? both(failing, slow) : both(slow, failing); };
+            CHECK_THROWS_WITH_AS(call(), "no more", std::runtime_error);
+            CHECK_MESSAGE(begun == ended, "it still writes where the caller's variables were");
+            if (threads == 2) CHECK(ended == 1);
+        }
+    }
+}
+
+TEST_CASE("an exception from a thread deep within both() reaches the caller, and costs no thread") {
+    const Allowed allowed(2);
+    for (int i = 0; i < 5; ++i) {
+        std::atomic<int> leaves = 0;
+        const auto leaf = [&] {
+            if (++leaves == 20) throw std::runtime_error("leaf 20");
+        };
+        CHECK_THROWS_WITH_AS(tree_of_both(6, leaf), "leaf 20", std::runtime_error);
+    }
+    CHECK(at_the_same_time());
+}
+
+TEST_CASE("in_ranges() covers each number once, for any count on any number of threads") {
+    for (const int threads : {1, 2, 5, 0}) {
+        const Allowed allowed(threads);
+        for (const std::size_t count : {0, 1, 2, 3, 7, 8, 9, 64, 1000, 1001}) {
+            for (const std::size_t least : {1, 2, 3, 8, 333, 5000}) {
+                std::vector<std::atomic<int>> times(count);
+                std::atomic<int> too_small = 0;
+                in_ranges(count, least, [&](std::size_t begin, std::size_t end) {
+                    too_small += begin >= end || end - begin < std::min(least, count);
+                    for (std::size_t i = begin; i < end; ++i) ++times[i];
+                });
+                CAPTURE(threads);
+                CAPTURE(count);
+                CAPTURE(least);
+                CHECK(std::ranges::all_of(times, [](const auto& time) { return time == 1; }));
+                CHECK_MESSAGE(too_small == 0,
+                              "a range holds `least` numbers or more, unless there are fewer");
+            }
+        }
+    }
+}
+
+TEST_CASE("in_ranges() shares its ranges between threads") {
+    const Allowed allowed(2);
+    std::array<std::atomic<bool>, 2> begun{};
+    std::atomic<int> met = 0;
+    in_ranges(2, 1, [&](std::size_t begin, std::size_t) {
+        begun[begin] = true;
+        met += comes(begun[1 - begin]);
+    });
+    CHECK(met == 2);
+}

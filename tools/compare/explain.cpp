@@ -1,0 +1,318 @@
+// The simple explanations: each is a slip and what undoes it. One counts only if the pictures differ as they
+// are and agree once it is undone.
+#include "tools/compare/explain.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <sstream>
+#include <vector>
+
+namespace rt {
+namespace {
+
+/// What is done to the test picture to undo a slip.
+struct Slip {
+    std::string name;
+    std::function<Image(const Image&)> undo;
+    bool moves_pixels = false; ///< a pixel's value stays as it is and stands elsewhere
+};
+
+// ---- the slips
+
+/// The picture whose pixel (x, y) is the pixel from(x, y) of another.
+template <typename From>
+Slip moved(const std::string& name, From from) {
+    return {name,
+            [from](const Image& image) {
+                Image result(image.width, image.height);
+                for (int y = 0; y < image.height; ++y)
+                    for (int x = 0; x < image.width; ++x) result(x, y) = from(image, x, y);
+                return result;
+            },
+            true};
+}
+
+template <typename Change>
+Slip recoloured(const std::string& name, Change change) {
+    return {name, [change](const Image& image) {
+                Image result = image;
+                for (vec3& pixel : result.pixels) pixel = change(pixel);
+                return result;
+            }};
+}
+
+std::vector<Slip> moves(bool square) {
+    std::vector<Slip> slips{
+        moved("flipped left to right", [](const Image& i, int x, int y) { return i(i.width - 1 - x, y); }),
+        moved("flipped upside down", [](const Image& i, int x, int y) { return i(x, i.height - 1 - y); }),
+        moved("turned by half a turn (flipped in x and y)",
+              [](const Image& i, int x, int y) { return i(i.width - 1 - x, i.height - 1 - y); })};
+    if (square)
+        slips.push_back(
+            moved("rows and columns swapped", [](const Image& i, int x, int y) { return i(y, x); }));
+    return slips;
+}
+
+/// A file of codes c is read as decoded(c); what should have stood in it is encoded(linear).
+std::vector<Slip> recolourings() {
+    const auto power = [](float exponent) {
+        return [exponent](vec3 c) { return pow(srgb_encoded(c), vec3(exponent)); };
+    };
+    return {recoloured("red and blue swapped", [](vec3 c) { return vec3(c.z, c.y, c.x); }),
+            recoloured("the sRGB encoding is missing", srgb_encoded),
+            recoloured("the sRGB encoding is done twice", srgb_decoded),
+            recoloured("gamma 2.2 in place of sRGB", power(2.2f)),
+            recoloured("a square root in place of sRGB", power(2))};
+}
+
+Slip gained(const std::string& name, float gain) {
+    return recoloured(name, [gain](vec3 c) { return c * gain; });
+}
+
+// ---- agreement
+
+bool agrees_with(const Slip& slip, const Spans& test, const Spans& reference, Difference& left) {
+    left = gap({slip.undo(test.low), slip.undo(test.high)}, reference);
+    return verdict(left).same;
+}
+
+/// The variance once a slip is undone: the square of how much of a small change of a pixel's light is left.
+Image variance_after(const Slip& slip, const Image& test, const Image& undone, const Image& variance) {
+    if (slip.moves_pixels) return slip.undo(variance);
+    Image brighter = test;
+    for (vec3& pixel : brighter.pixels) pixel = pixel * 1.01f + 1e-4f;
+    const Image brighter_undone = slip.undo(brighter);
+    Image result = variance;
+    for (std::size_t i = 0; i < result.pixels.size(); ++i) {
+        const float slope = luminance(brighter_undone.pixels[i] - undone.pixels[i]) /
+                            luminance(brighter.pixels[i] - test.pixels[i]);
+        result.pixels[i] *= slope * slope;
+    }
+    return result;
+}
+
+struct Case {
+    const StoredImage& test;
+    const StoredImage& reference;
+    const Variances& variances;
+    Spans test_spans, reference_spans;
+
+    /// How much is left of the difference when the slip is undone, if it is little enough.
+    std::optional<double> residue(const Slip& slip) const {
+        if (!variances.given()) {
+            Difference left;
+            if (!agrees_with(slip, test_spans, reference_spans, left)) return {};
+            return double(left.differing) + left.mean;
+        }
+        const Image undone = slip.undo(test.image);
+        const TileDifference left =
+            tile_difference(undone, reference.image, variance_after(slip, test.image, undone, variances.test),
+                            variances.reference);
+        if (!verdict(left).same) return {};
+        return double(left.alarms);
+    }
+};
+
+const Slip as_it_is{"", [](const Image& image) { return image; }, true};
+
+// ---- one gain
+
+/// A pixel says something about a gain if it is neither black nor cut off at white.
+bool informs(float test, float reference, Storage test_storage, Storage reference_storage) {
+    const auto cut = [](float light, Storage storage) { return storage == Storage::png && light > 0.99f; };
+    return test > 1e-3f && reference > 1e-3f && !cut(test, test_storage) &&
+           !cut(reference, reference_storage);
+}
+
+/// The median of reference / test; none if few pixels say anything.
+std::optional<double> exact_gain(const Case& c) {
+    std::vector<float> ratios;
+    std::size_t lit = 0;
+    for (std::size_t i = 0; i < c.test.image.pixels.size(); ++i) {
+        const vec3 t = c.test.image.pixels[i], r = c.reference.image.pixels[i];
+        const float test = std::max({t.x, t.y, t.z}), reference = std::max({r.x, r.y, r.z});
+        if (test > 1e-3f || reference > 1e-3f) ++lit;
+        if (informs(test, reference, c.test.storage, c.reference.storage))
+            ratios.push_back(luminance(r) / luminance(t));
+    }
+    if (ratios.empty() || ratios.size() < lit / 5) return {};
+    std::nth_element(ratios.begin(), ratios.begin() + std::ptrdiff_t(ratios.size() / 2), ratios.end());
+    return double(ratios[ratios.size() / 2]);
+}
+
+/// The gain with the least squares of z over the tiles.
+std::optional<double> noisy_gain(const Case& c) {
+    const TileDifference tiles =
+        tile_difference(c.test.image, c.reference.image, c.variances.test, c.variances.reference);
+    double both = 0, test = 0;
+    for (const TileMark& tile : tiles.marks) {
+        const double change = tile.test - tile.reference;
+        if (change == 0 || !std::isfinite(tile.z)) continue;
+        const double weight = tile.z * tile.z / (change * change); // 1 / variance
+        both += weight * tile.test * tile.reference;
+        test += weight * tile.test * tile.test;
+    }
+    if (!(both > 0) || !(test > 0)) return {};
+    return both / test;
+}
+
+struct NamedGain {
+    const char* name;
+    double value;
+};
+constexpr double exact_pi = 3.14159265358979323846;
+constexpr std::array<NamedGain, 6> named_gains{{{"pi", exact_pi},
+                                                {"1/pi", 1 / exact_pi},
+                                                {"2", 2},
+                                                {"1/2", 0.5},
+                                                {"4 pi", 4 * exact_pi},
+                                                {"1/(4 pi)", 1 / (4 * exact_pi)}}};
+
+/// A picture of one value fits any gain, which then says nothing.
+bool varies(const Image& image) {
+    float low = infinity, high = 0;
+    for (const vec3& pixel : image.pixels) {
+        low = std::min(low, luminance(pixel));
+        high = std::max(high, luminance(pixel));
+    }
+    return high - low > 0.05f * high;
+}
+
+std::vector<Slip> gains(const Case& c) {
+    const std::optional<double> gain = c.variances.given() ? noisy_gain(c) : exact_gain(c);
+    if (!gain || !std::isfinite(*gain) || *gain <= 0) return {};
+    for (const NamedGain& named : named_gains) // the slip multiplied by the inverse of what undoes it
+        if (std::abs(*gain * named.value - 1) <= limits.named_gain)
+            return {gained(std::string("all of it times ") + named.name, float(1 / named.value))};
+    if (!varies(c.reference.image) || std::abs(*gain - 1) < limits.least_gain) return {};
+    std::ostringstream name;
+    name.precision(3);
+    name << "all of it times " << 1 / *gain;
+    return {gained(name.str(), float(*gain))};
+}
+
+// ---- half a pixel
+
+/// Weights a pixel and its neighbours along (dx, dy); what lies outside is what stands on the border.
+Image blurred(const Image& image, int dx, int dy, std::array<float, 3> weights) {
+    Image result(image.width, image.height);
+    const auto at = [&](int x, int y) {
+        return image(std::clamp(x, 0, image.width - 1), std::clamp(y, 0, image.height - 1));
+    };
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x)
+            result(x, y) =
+                weights[0] * at(x - dx, y - dy) + weights[1] * at(x, y) + weights[2] * at(x + dx, y + dy);
+    return result;
+}
+
+constexpr std::array<float, 3> smoothing{0.25f, 0.5f, 0.25f};
+
+/// So smooth (sigma 1.7 pixels) that the mean of two neighbours is the value half-way between them; a lamp
+/// counts as white, lest its edge outweighs the rest.
+Image smoothed(Image image) {
+    for (vec3& pixel : image.pixels) pixel = min(pixel, vec3(1.0f));
+    for (int i = 0; i < 6; ++i) image = blurred(blurred(image, 1, 0, smoothing), 0, 1, smoothing);
+    return image;
+}
+
+/// Half a pixel along (dx, dy), each -1, 0 or 1: the mean with the neighbour. Along an axis that does not
+/// move, nothing happens.
+Image half_shifted(const Image& image, int dx, int dy) {
+    const Image x = dx == 0 ? image : blurred(image, dx, 0, {0, 0.5f, 0.5f});
+    return dy == 0 ? x : blurred(x, 0, dy, {0, 0.5f, 0.5f});
+}
+
+/// As half_shifted(), and as blurred by it, but left in its place.
+Image as_smooth(const Image& image, int dx, int dy) {
+    const Image x = dx == 0 ? image : blurred(image, 1, 0, smoothing);
+    return dy == 0 ? x : blurred(x, 0, 1, smoothing);
+}
+
+/// The part of the difference that is left when the test is shifted. 1 if nothing differs.
+double exact_shift_residue(const Image& test, const Image& reference, int dx, int dy) {
+    const Image right = as_smooth(reference, dx, dy);
+    const double before = root_mean_square(as_smooth(test, dx, dy), right);
+    return before > 0 ? root_mean_square(half_shifted(test, dx, dy), right) / before : 1;
+}
+
+/// Of the tiles that alarm. Neighbours share what they average, so a tile's sum stays about as noisy as it
+/// was.
+double noisy_shift_residue(const Case& c, int dx, int dy) {
+    const Variances& v = c.variances;
+    const TileDifference before = tile_difference(c.test.image, c.reference.image, v.test, v.reference);
+    const TileDifference after = tile_difference(half_shifted(c.test.image, dx, dy), c.reference.image,
+                                                 half_shifted(v.test, dx, dy), v.reference);
+    return before.alarms > 0 ? double(after.alarms) / before.alarms : 1;
+}
+
+/// "shifted half a pixel to the right and down", from the shift that undoes it: if a pixel and its right
+/// neighbour make what belongs here, all of it stands too far to the right.
+std::string shift_in_words(int dx, int dy) {
+    std::string words = dx == 0 ? "" : dx > 0 ? "to the right" : "to the left";
+    if (dy != 0) words += std::string(words.empty() ? "" : " and ") + (dy > 0 ? "down" : "up");
+    return "shifted half a pixel " + words;
+}
+
+/// Along one axis first: where little changes along the other, a shift along both fits about as well.
+constexpr std::array<std::array<int, 2>, 8> straight_then_diagonal{
+    {{-1, 0}, {1, 0}, {0, -1}, {0, 1}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}}};
+
+/// The shift that leaves least, or nothing if that is too much.
+std::string shift(const Case& c) {
+    const bool noisy = c.variances.given();
+    const Image test = noisy ? Image() : smoothed(c.test.image);
+    const Image reference = noisy ? Image() : smoothed(c.reference.image);
+    std::string best;
+    double least = noisy ? limits.shift_alarms : limits.shift_residue;
+    for (const auto& [dx, dy] : straight_then_diagonal) {
+        if (dx != 0 && dy != 0 && !best.empty() && best.find(" and ") == std::string::npos) break;
+        const double left =
+            noisy ? noisy_shift_residue(c, dx, dy) : exact_shift_residue(test, reference, dx, dy);
+        if (left >= least) continue;
+        least = left;
+        best = shift_in_words(dx, dy);
+    }
+    return best;
+}
+
+bool finite(const Image& image) {
+    return std::all_of(image.pixels.begin(), image.pixels.end(), [](vec3 pixel) { return is_finite(pixel); });
+}
+
+/// The first of those that leave least.
+std::string best_of(const Case& c, const std::vector<Slip>& slips) {
+    std::string best;
+    double least = infinity;
+    for (const Slip& slip : slips) {
+        const std::optional<double> left = c.residue(slip);
+        if (!left || *left >= least) continue;
+        least = *left;
+        best = slip.name;
+    }
+    return best;
+}
+
+} // namespace
+
+std::string explanations_tried() {
+    return "flipped, rows and columns swapped, red and blue swapped, sRGB encoding missing or twice, "
+           "gamma 2.2 or a square root for it, one gain for all of it, half a pixel of shift";
+}
+
+std::string explain(const StoredImage& test, const StoredImage& reference, const Variances& variances) {
+    check_same_size(test.image, reference.image);
+    if (!finite(test.image) || !finite(reference.image)) return none_of_these;
+    const Case c{test, reference, variances, spans_of(test), spans_of(reference)};
+    if (c.residue(as_it_is)) return "";
+    std::vector<Slip> slips = moves(test.image.width == test.image.height);
+    for (const auto& more : {recolourings(), gains(c)}) slips.insert(slips.end(), more.begin(), more.end());
+    if (const std::string best = best_of(c, slips); !best.empty()) return best;
+    const std::string shifted = shift(c);
+    return shifted.empty() ? none_of_these : shifted;
+}
+
+} // namespace rt

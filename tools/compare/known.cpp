@@ -1,0 +1,105 @@
+// Compares a picture with known wrong ones, and says nothing unless one of them is the same.
+#include "tools/compare/known.h"
+
+#include "tools/compare/flip.h"
+#include "common/util/error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <system_error>
+
+namespace rt {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The root of the mean square of z over the tiles (of those in which `telling` alarms, if it is given).
+double mean_z(const TileDifference& tiles, const TileDifference* telling = nullptr) {
+    double sum = 0;
+    int count = 0;
+    for (std::size_t i = 0; i < tiles.marks.size(); ++i) {
+        if (telling && std::abs(telling->marks[i].z) <= limits.alarm_z) continue;
+        sum += std::min(tiles.marks[i].z * tiles.marks[i].z, 1e6);
+        ++count;
+    }
+    return count > 0 ? std::sqrt(sum / count) : 0;
+}
+
+/// The distance to a known picture; none if the two do not agree, or the reference is about as near.
+std::optional<double> exact_distance(const StoredImage& test, const StoredImage& reference,
+                                     const KnownPicture& known) {
+    const Pair to_known = comparable(test, known.picture), to_reference = comparable(test, reference);
+    if (root_mean_square(to_known.test, to_known.reference) >=
+        root_mean_square(to_reference.test, to_reference.reference))
+        return {};
+    const Flip seen = flip(to_known.reference, to_known.test);
+    const bool looks_same = seen.mean <= limits.known_flip_mean && seen.max <= limits.known_flip_max;
+    if (!looks_same && !verdict(difference(to_known.test, to_known.reference)).same) return {};
+    if (seen.mean > limits.known_nearer * flip(to_reference.reference, to_reference.test).mean) return {};
+    return seen.mean;
+}
+
+std::optional<double> noisy_distance(const StoredImage& test, const StoredImage& reference,
+                                     const Variances& variances, const KnownPicture& known) {
+    const Image& variance = known.variance.pixels.empty() ? variances.test : known.variance;
+    const TileDifference tiles = tile_difference(test.image, known.picture.image, variances.test, variance);
+    const TileDifference right =
+        tile_difference(test.image, reference.image, variances.test, variances.reference);
+    if (!verdict(tiles).same || mean_z(tiles, &right) > limits.known_nearer * mean_z(right, &right))
+        return {};
+    return mean_z(tiles);
+}
+
+/// The paths of the pictures by name.
+std::map<std::string, std::string> pictures_in(const std::string& folder) {
+    std::map<std::string, std::string> paths;
+    std::error_code problem;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, problem)) {
+        const fs::path& path = entry.path();
+        const std::string ending = path.extension().string(), name = path.stem().string();
+        const bool is_variance = path.stem().extension() == ".variance";
+        if (is_variance || (ending != ".hdr" && ending != ".png")) continue;
+        if (ending == ".hdr" || paths.count(name) == 0) paths[name] = path.string();
+    }
+    if (problem) throw Error(folder + ": is not a folder that can be read (" + problem.message() + ")");
+    if (paths.empty()) throw Error(folder + ": holds no .hdr and no .png to compare with");
+    return paths;
+}
+
+} // namespace
+
+Nearest nearest_known(const StoredImage& test, const StoredImage& reference, const Variances& variances,
+                      const std::vector<KnownPicture>& known) {
+    std::vector<std::pair<double, std::string>> found;
+    for (const KnownPicture& candidate : known) {
+        try {
+            check_same_size(test.image, candidate.picture.image);
+            const auto distance = variances.given() ? noisy_distance(test, reference, variances, candidate)
+                                                    : exact_distance(test, reference, candidate);
+            if (distance) found.emplace_back(*distance, candidate.name);
+        } catch (const Error& problem) {
+            throw Error("known picture " + candidate.name + ": " + problem.what());
+        }
+    }
+    if (found.empty()) return {};
+    std::sort(found.begin(), found.end());
+    Nearest nearest{{}, found.front().first};
+    for (const auto& [distance, name] : found)
+        if (distance <= limits.known_tie * nearest.distance) nearest.names.push_back(name);
+    return nearest;
+}
+
+std::vector<KnownPicture> read_known(const std::string& folder) {
+    std::vector<KnownPicture> known;
+    for (const auto& [name, path] : pictures_in(folder)) {
+        known.push_back({name, read_stored(path), {}});
+        const fs::path variance = fs::path(folder) / (name + ".variance.hdr");
+        if (fs::exists(variance)) known.back().variance = read_stored(variance.string()).image;
+    }
+    return known;
+}
+
+} // namespace rt

@@ -1,0 +1,86 @@
+// Is this the same picture? compare A B: exit 0 if it is, 1 if it is not, 2 if one cannot be read.
+#include "tools/compare/judge.h"
+#include "common/util/complain.h"
+#include "common/util/error.h"
+#include "common/util/file_bytes.h"
+#include "common/image/image_file.h"
+
+#include <CLI/CLI.hpp>
+
+#include <exception>
+#include <iostream>
+#include <string>
+
+namespace {
+
+struct Command {
+    std::string test, reference, test_variance, reference_variance, known, json, map;
+    int step = 0;
+};
+
+void declare(CLI::App& app, Command& command) {
+    app.add_option("A", command.test, "the picture to judge, .hdr or .png")->required();
+    app.add_option("B", command.reference, "the reference, .hdr or .png")->required();
+    CLI::Option* const a =
+        app.add_option("--variance-a", command.test_variance,
+                       "variance of A's pixels (.hdr): then only what noise does not explain counts");
+    CLI::Option* const b =
+        app.add_option("--variance-b", command.reference_variance, "variance of B's pixels (.hdr)");
+    a->needs(b);
+    b->needs(a);
+    app.add_option("--known", command.known, "a folder of wrong pictures: is A one of them?");
+    app.add_option("--step", command.step, "the step that both are of: its limits hold")
+        ->check(CLI::Range(1, 8));
+    app.add_option("--json", command.json, "where to write the verdict as JSON; - is the standard output");
+    app.add_option(
+        "--map", command.map,
+        "where to draw the differences (.png): FLIP from black to yellow, or, with variances, red where "
+        "A is too bright and blue where it is too dark");
+}
+
+/// Better before the work than after it.
+void check_outputs(const Command& command) {
+    if (!command.map.empty()) rt::check_writable(command.map);
+    if (!command.json.empty() && command.json != "-") rt::check_file_writable(command.json);
+}
+
+rt::Judgement answer(const Command& command) {
+    rt::Question question{rt::read_stored(command.test), rt::read_stored(command.reference)};
+    if (!command.test_variance.empty())
+        question.variances = {rt::read_image(command.test_variance),
+                              rt::read_image(command.reference_variance)};
+    if (!command.known.empty()) question.known = rt::read_known(command.known);
+    question.step = command.step;
+    return rt::judge(question);
+}
+
+void report(const Command& command, const rt::Judgement& judgement) {
+    const std::string json = rt::to_json(judgement) + "\n";
+    if (!command.map.empty()) rt::write_image(command.map, rt::error_map(judgement));
+    if (!command.json.empty() && command.json != "-") rt::write_file(command.json, json);
+    if (command.json == "-")
+        std::cout << json;
+    else
+        for (const std::string& line : judgement.lines) std::cout << rt::printable(line) << "\n";
+    if (!std::cout.flush()) throw rt::Error("stdout takes no more text (is the disk full?)");
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    Command command;
+    CLI::App app("Is A the same picture as the reference B? Exit code: 0 same, 1 different, 2 an error.",
+                 "compare");
+    declare(app, command);
+    try {
+        app.parse(argc, argv);
+        check_outputs(command);
+        const rt::Judgement judgement = answer(command);
+        report(command, judgement);
+        return rt::is_same(judgement.finding) ? 0 : 1;
+    } catch (const CLI::CallForHelp& help) {
+        return app.exit(help);
+    } catch (const std::exception& problem) {
+        return rt::complain("compare", problem.what());
+    }
+}

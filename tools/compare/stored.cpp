@@ -1,0 +1,103 @@
+// What rounding and clipping leave open, and comparing with that in mind.
+#include "tools/compare/stored.h"
+
+#include "common/util/error.h"
+#include "common/util/file_bytes.h"
+#include "common/image/image_file.h"
+
+#include <stb_image.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+namespace rt {
+namespace {
+
+bool is_hdr(const std::string& path) {
+    constexpr std::string_view ending = ".hdr";
+    return path.size() >= ending.size() &&
+           std::equal(ending.rbegin(), ending.rend(), path.rbegin(),
+                      [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
+}
+
+/// read_image() makes three channels of any number; here it matters how many there were.
+int channels_of(const std::string& path) {
+    const std::string bytes = read_file(path);
+    int width = 0, height = 0, channels = 0;
+    if (!stbi_info_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()), int(bytes.size()), &width,
+                               &height, &channels))
+        throw Error(path + ": is not a picture of a kind that is read here; save it as PNG again");
+    return channels;
+}
+
+float decoded(float srgb) {
+    return srgb <= 0.04045f ? srgb / 12.92f : std::pow((srgb + 0.055f) / 1.055f, 2.4f);
+}
+
+/// Half a step of the format on either side.
+void widen_hdr(vec3& low, vec3& high) {
+    int exponent = 0;
+    std::frexp(std::max({low.x, low.y, low.z}), &exponent);
+    const float half = std::ldexp(1.0f, exponent - 9);
+    low = max(low - half, vec3(0.0f));
+    high += half;
+}
+
+void widen_png(float& low, float& high) {
+    const float code = srgb_from_linear(low) * 255;
+    low = code < 0.5f ? 0 : decoded((code - 0.5f) / 255);
+    high = code > 254.5f ? infinity : decoded((code + 0.5f) / 255);
+}
+
+/// The same value where the spans overlap, else the ends that face each other.
+Pair facing(const Spans& test, const Spans& reference) {
+    check_same_size(test.low, reference.low);
+    Pair pair{test.low, reference.low};
+    for (std::size_t i = 0; i < pair.test.pixels.size(); ++i) {
+        vec3 &t = pair.test.pixels[i], &r = pair.reference.pixels[i];
+        r = min(max(t, r), reference.high.pixels[i]);
+        t = min(max(r, t), test.high.pixels[i]);
+    }
+    return pair;
+}
+
+} // namespace
+
+vec3 srgb_encoded(vec3 linear) {
+    return {srgb_from_linear(linear.x), srgb_from_linear(linear.y), srgb_from_linear(linear.z)};
+}
+
+vec3 srgb_decoded(vec3 srgb) {
+    return {decoded(srgb.x), decoded(srgb.y), decoded(srgb.z)};
+}
+
+StoredImage read_stored(const std::string& path) {
+    if (is_hdr(path)) return {read_image(path), Storage::hdr, 3};
+    StoredImage stored{read_image(path), Storage::png, 3};
+    stored.channels = channels_of(path);
+    return stored;
+}
+
+Spans spans_of(const StoredImage& stored) {
+    Spans spans{stored.image, stored.image};
+    for (std::size_t i = 0; i < spans.low.pixels.size(); ++i) {
+        vec3 &low = spans.low.pixels[i], &high = spans.high.pixels[i];
+        if (stored.storage == Storage::hdr) widen_hdr(low, high);
+        if (stored.storage == Storage::png)
+            for (int channel = 0; channel < 3; ++channel) widen_png(low[channel], high[channel]);
+    }
+    return spans;
+}
+
+Difference gap(const Spans& test, const Spans& reference) {
+    const Pair pair = facing(test, reference);
+    return difference(pair.test, pair.reference);
+}
+
+Pair comparable(const StoredImage& test, const StoredImage& reference) {
+    if (test.storage == reference.storage) return {test.image, reference.image};
+    return facing(spans_of(test), spans_of(reference));
+}
+
+} // namespace rt
