@@ -1,9 +1,7 @@
 // Matte surfaces: chalk, paper, plaster. They look equally bright from everywhere.
 #pragma once
 
-#include "common/math/vec.h"
-
-#include <cmath>
+#include "01_spheres/hit.h"
 
 namespace rt {
 
@@ -26,19 +24,11 @@ inline vec3 reflected(const Diffuse& diffuse, vec3 irradiance) {
     //< return vec3(0);
 }
 
-/// Squares of two colours, `size` wide in uv.
-struct Checker {
-    vec3 even;
-    vec3 odd;
-    float size = 1;
-};
-
-inline Diffuse at(const Checker& checker, vec2 uv) {
-    //> floor, not a cast to int, which would make the two squares beside zero one
-    const vec2 square = floor(uv / checker.size);
-    const bool odd = glm::mod(square.x + square.y, 2.0f) != 0;
-    return {odd ? checker.odd : checker.even};
-    //< return {checker.even};
+/// What is matte at a hit. Patterns (a checkerboard, in step 06 an image) overload this, so that light need not know
+/// them: they change which colour is where, not how light travels.
+template <typename S>
+Diffuse matte_at(const Diffuse& diffuse, const S&, const Hit&) {
+    return diffuse;
 }
 
 } // namespace rt

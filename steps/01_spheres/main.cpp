@@ -11,10 +11,10 @@ using namespace rt;
 Scene three_balls(float radius, float squares) {
     Scene scene;
     scene.sky = {.nadir = {0.62f, 0.4f, 0.25f}, .zenith = {0.52f, 0.85f, 1.45f}};
-    const int terracotta = add(scene, Diffuse{{0.85f, 0.22f, 0.09f}});
-    const int teal = add(scene, Diffuse{{0.03f, 0.42f, 0.38f}});
-    const int mustard = add(scene, Diffuse{{0.95f, 0.6f, 0.05f}});
-    const int floor = add(scene, Checker{{0.8f, 0.72f, 0.6f}, {0.34f, 0.3f, 0.26f}, squares});
+    const int terracotta = add(scene.materials, Diffuse{{0.85f, 0.22f, 0.09f}});
+    const int teal = add(scene.materials, Diffuse{{0.03f, 0.42f, 0.38f}});
+    const int mustard = add(scene.materials, Diffuse{{0.95f, 0.6f, 0.05f}});
+    const int floor = add(scene.materials, Checker{{0.8f, 0.72f, 0.6f}, {0.34f, 0.3f, 0.26f}, squares});
     scene.spheres = {{{0, radius, 0}, radius, terracotta},
                      {{1.75f, 0.6f, 0.55f}, 0.6f, teal},
                      {{-1.45f, 0.38f, 1.0f}, 0.38f, mustard}};

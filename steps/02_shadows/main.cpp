@@ -12,10 +12,10 @@ using namespace rt;
 Scene two_lamps(float warm, float cool) {
     Scene scene;
     scene.sky = {.nadir = {0.05f, 0.045f, 0.06f}, .zenith = {0.02f, 0.03f, 0.08f}};
-    const int chalk = add(scene, Diffuse{{0.82f, 0.8f, 0.76f}});
-    const int rose = add(scene, Diffuse{{0.8f, 0.3f, 0.32f}});
-    const int sage = add(scene, Diffuse{{0.35f, 0.6f, 0.4f}});
-    const int floor = add(scene, Checker{{0.62f, 0.6f, 0.57f}, {0.42f, 0.41f, 0.42f}, 0.5f});
+    const int chalk = add(scene.materials, Diffuse{{0.82f, 0.8f, 0.76f}});
+    const int rose = add(scene.materials, Diffuse{{0.8f, 0.3f, 0.32f}});
+    const int sage = add(scene.materials, Diffuse{{0.35f, 0.6f, 0.4f}});
+    const int floor = add(scene.materials, Checker{{0.62f, 0.6f, 0.57f}, {0.42f, 0.41f, 0.42f}, 0.5f});
     scene.lights = {{{-2.2f, 3.0f, 2.0f}, warm * vec3(1, 0.72f, 0.42f)},
                     {{3.2f, 2.2f, 1.2f}, cool * vec3(0.4f, 0.62f, 1)}};
     scene.spheres = {{{0, 0.9f, 0}, 0.9f, chalk},

@@ -12,10 +12,8 @@ template <CastsShadows S>
 vec3 radiance(const S& scene, const Ray& ray) {
     const auto hit = intersect(scene, ray);
     if (!hit) return radiance(scene.sky, ray.direction);
-    return match(
-        scene.materials[std::size_t(hit->material)],
-        [&](const Diffuse& diffuse) { return lit(scene, *hit, diffuse); },
-        [&](const Checker& checker) { return lit(scene, *hit, at(checker, hit->uv)); });
+    return match(scene.materials[std::size_t(hit->material)],
+                 [&](const auto& matte) { return lit(scene, *hit, matte_at(matte, scene, *hit)); });
 }
 
 } // namespace rt

@@ -11,13 +11,14 @@ using namespace rt;
 Scene between_mirrors(float reflectivity) {
     Scene scene;
     scene.sky = {.nadir = {0.75f, 0.4f, 0.22f}, .zenith = {0.1f, 0.28f, 0.7f}};
-    const int orange = add(scene, Diffuse{{0.85f, 0.42f, 0.1f}});
-    const int red = add(scene, Diffuse{{0.7f, 0.06f, 0.08f}});
-    const int lacquer = add(scene, Reflective{reflectivity, red});
-    const int steel = add(scene, Mirror{{0.92f, 0.92f, 0.95f}});
-    const int silver = add(scene, Mirror{{0.82f, 0.9f, 0.86f}}); // old glass: greener with every reflection
-    const int frame = add(scene, Diffuse{{0.16f, 0.1f, 0.06f}});
-    const int floor = add(scene, Checker{{0.72f, 0.7f, 0.66f}, {0.14f, 0.17f, 0.22f}, 0.5f});
+    const int orange = add(scene.materials, Diffuse{{0.85f, 0.42f, 0.1f}});
+    const int red = add(scene.materials, Diffuse{{0.7f, 0.06f, 0.08f}});
+    const int lacquer = add(scene.materials, Reflective{reflectivity, red});
+    const int steel = add(scene.materials, Mirror{{0.92f, 0.92f, 0.95f}});
+    const int silver =
+        add(scene.materials, Mirror{{0.82f, 0.9f, 0.86f}}); // old glass: greener with every reflection
+    const int frame = add(scene.materials, Diffuse{{0.16f, 0.1f, 0.06f}});
+    const int floor = add(scene.materials, Checker{{0.72f, 0.7f, 0.66f}, {0.14f, 0.17f, 0.22f}, 0.5f});
     scene.lights = {{{0.6f, 4.5f, 3.2f}, vec3(42, 38, 32)}};
     scene.spheres = {{{-0.1f, 0.75f, -0.55f}, 0.75f, steel},
                      {{0.75f, 0.45f, 0.45f}, 0.45f, lacquer},

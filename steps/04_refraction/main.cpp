@@ -12,13 +12,14 @@ Scene glass_balls(float ior, float bubble, float absorption) {
     Scene scene;
     scene.sky = {.nadir = {0.95f, 0.62f, 0.4f}, .zenith = {0.12f, 0.36f, 0.85f}};
     const Medium glass{ior};
-    const int clear = add(scene, Glass{glass});
-    const int air = add(scene, Glass{Medium{}, glass}); // inside the bubble is air, around it is glass
-    const int tinted = add(scene, Glass{{ior, absorption * vec3(0.35f, 0.06f, 0.9f)}});
-    const int coral = add(scene, Diffuse{{0.85f, 0.25f, 0.18f}});
-    const int navy = add(scene, Diffuse{{0.1f, 0.18f, 0.5f}});
-    const int lemon = add(scene, Diffuse{{0.9f, 0.75f, 0.15f}});
-    const int floor = add(scene, Checker{{0.72f, 0.62f, 0.5f}, {0.32f, 0.2f, 0.15f}, 0.5f});
+    const int clear = add(scene.materials, Glass{glass});
+    const int air =
+        add(scene.materials, Glass{Medium{}, glass}); // inside the bubble is air, around it is glass
+    const int tinted = add(scene.materials, Glass{{ior, absorption * vec3(0.35f, 0.06f, 0.9f)}});
+    const int coral = add(scene.materials, Diffuse{{0.85f, 0.25f, 0.18f}});
+    const int navy = add(scene.materials, Diffuse{{0.1f, 0.18f, 0.5f}});
+    const int lemon = add(scene.materials, Diffuse{{0.9f, 0.75f, 0.15f}});
+    const int floor = add(scene.materials, Checker{{0.72f, 0.62f, 0.5f}, {0.32f, 0.2f, 0.15f}, 0.5f});
     scene.lights = {{{-3, 6, 4}, vec3(50, 47, 40)}};
     scene.spheres = {{{0, 0.85f, 0}, 0.85f, clear},          {{0, 0.85f, 0}, 0.85f * bubble, air},
                      {{-1.6f, 0.62f, 0.35f}, 0.62f, clear},  {{1.55f, 0.6f, 0.45f}, 0.6f, tinted},

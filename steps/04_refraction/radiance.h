@@ -17,8 +17,7 @@ vec3 shade(const S& scene, const Ray& ray, const Hit& hit, int material, int dep
     const auto mirrored = [&] { return radiance(scene, mirror_ray(ray, hit), depth - 1, absorption); };
     return match(
         scene.materials[std::size_t(material)],
-        [&](const Diffuse& diffuse) { return lit(scene, hit, diffuse); },
-        [&](const Checker& checker) { return lit(scene, hit, at(checker, hit.uv)); },
+        [&](const auto& matte) { return lit(scene, hit, matte_at(matte, scene, hit)); },
         [&](const Mirror& mirror) { return mirror.tint * mirrored(); },
         [&](const Reflective& coat) {
             return mix(shade(scene, ray, hit, coat.base, depth, absorption), coat.tint * mirrored(),

@@ -12,25 +12,25 @@ using namespace rt;
 Pose tea_table(Scene& scene) {
     scene.sky = {.nadir = {0.3f, 0.26f, 0.24f}, .zenith = {0.36f, 0.46f, 0.62f}};
     scene.lights = {{{-2.6f, 4.2f, 3.4f}, vec3(50, 45, 37)}};
-    const int floor = add(scene, Checker{{0.62f, 0.58f, 0.53f}, {0.5f, 0.45f, 0.4f}, 0.6f});
+    const int floor = add(scene.materials, Checker{{0.62f, 0.58f, 0.53f}, {0.5f, 0.45f, 0.4f}, 0.6f});
     scene.planes = {{{0, 0, 0}, {0, 1, 0}, floor}};
 
     ObjFile fine = read_obj(asset("teapot_fine.obj"));
     fine.material_list = {{.name = "glaze", .diffuse = {0.05f, 0.16f, 0.4f}, .reflectivity = 0.12f}};
     place(fine, 0.62f, 25, {-0.5f, 0, -0.25f});
-    add(scene, fine, 40);
+    add_model(scene, fine, 40);
 
     ObjFile coarse = read_obj(asset("teapot_coarse.obj"));
     coarse.material_list = {{.name = "paper", .diffuse = {0.85f, 0.42f, 0.14f}}};
     for (auto& triangle : coarse.triangles)
         for (ObjCorner& corner : triangle) corner.normal = -1; // none of its own,
     place(coarse, 0.34f, 150, {0.3f, 0, 0.95f});
-    add(scene, coarse, 0); // and no smoothing
+    add_model(scene, coarse, 0); // and no smoothing
 
     ObjFile cat = read_obj(asset("cat.obj"));
     cat.material_list = {{.name = "chalk", .diffuse = {0.8f, 0.76f, 0.7f}}};
     place(cat, 0.85f, -50, {1.15f, 0, 0.05f});
-    add(scene, cat, 40);
+    add_model(scene, cat, 40);
     return {.from = {0.35f, 1.5f, 4.2f}, .at = {0.12f, 0.48f, 0}, .fov = 32};
 }
 

@@ -2,11 +2,13 @@
 #pragma once
 
 #include "01_spheres/background.h"
+#include "01_spheres/checkerboard.h"
 #include "01_spheres/diffuse.h"
 #include "02_shadows/light.h"
 #include "03_mirror/mirror.h"
 #include "04_refraction/glass.h"
 #include "05_mesh_bvh/shapes.h"
+#include "common/util/add.h"
 
 #include <variant>
 #include <vector>
@@ -21,25 +23,19 @@ struct Scene : Shapes {
     std::vector<Material> materials;
 };
 
-/// Puts a material into the scene and answers its number.
-inline int add(Scene& scene, const Material& material) {
-    scene.materials.push_back(material);
-    return int(scene.materials.size()) - 1;
-}
-
 /// Puts a material of a model into the scene and answers its number: matte, under a mirror if it is
 /// reflective; or glass.
-inline int add(Scene& scene, const ObjMaterial& material) {
-    if (material.glass) return add(scene, Glass{{material.ior}});
-    const int base = add(scene, Diffuse{material.diffuse, material.emission});
+inline int add_material(Scene& scene, const ObjMaterial& material) {
+    if (material.glass) return add(scene.materials, Glass{{material.ior}});
+    const int base = add(scene.materials, Diffuse{material.diffuse, material.emission});
     if (material.reflectivity == 0) return base;
-    return add(scene, Reflective{material.reflectivity, base});
+    return add(scene.materials, Reflective{material.reflectivity, base});
 }
 
 /// Puts a model into the scene, with its materials. `crease` as in smooth_normals().
-inline void add(Scene& scene, const ObjFile& file, float crease) {
+inline void add_model(Scene& scene, const ObjFile& file, float crease) {
     std::vector<int> numbers;
-    for (const ObjMaterial& material : file.material_list) numbers.push_back(add(scene, material));
+    for (const ObjMaterial& material : file.material_list) numbers.push_back(add_material(scene, material));
     append(scene.mesh, file, numbers, crease);
 }
 

@@ -53,14 +53,14 @@ struct ModelKnobs {
 template <typename Scene>
 Pose stage_model(Scene& scene, const ModelKnobs& knobs, float aspect) {
     const ObjFile file = read_obj(knobs.mesh);
-    add(scene, file, knobs.crease);
+    add_model(scene, file, knobs.crease);
     Stage stage = stage_for(bounds(scene.mesh), aspect);
     stage.pose.origin = scene.mesh.origin;
     const auto glows = [](const ObjMaterial& material) { return material.emission != vec3(0); };
     if (!knobs.bare || std::ranges::none_of(file.material_list, glows))
         scene.sky = {.nadir = {0.22f, 0.21f, 0.2f}, .zenith = {0.4f, 0.46f, 0.56f}};
     if (knobs.bare) return stage.pose;
-    const int floor = add(scene, Diffuse{vec3(0.55f, 0.53f, 0.5f)});
+    const int floor = add(scene.materials, Diffuse{vec3(0.55f, 0.53f, 0.5f)});
     scene.planes = {{stage.floor, {0, 1, 0}, floor}};
     scene.lights = {{stage.lamp, stage.lamp_scale * vec3(2.3f, 2.15f, 1.9f)}};
     return stage.pose;

@@ -1,7 +1,7 @@
 // Step 06 asks: how does a picture get onto a surface?
 #include "01_spheres/view.h"
 #include "05_mesh_bvh/stage.h"
-#include "06_textures/radiance.h"
+#include "04_refraction/radiance.h"
 #include "06_textures/scene.h"
 #include "common/util/paths.h"
 #include "common/cli/program.h"
@@ -12,21 +12,22 @@ using namespace rt;
 Pose meadow(Scene& scene, int tiles) {
     scene.sky = {.nadir = {0.42f, 0.4f, 0.34f}, .zenith = {0.3f, 0.48f, 0.85f}};
     scene.lights = {{{-4.5f, 7, 6}, vec3(165, 150, 125)}};
-    const int lawn = add(scene, Checker{{0.36f, 0.56f, 0.2f}, {0.28f, 0.47f, 0.16f}, 0.5f});
+    const int lawn = add(scene.materials, Checker{{0.36f, 0.56f, 0.2f}, {0.28f, 0.47f, 0.16f}, 0.5f});
     scene.planes = {{{0, 0, 0}, {0, 1, 0}, lawn}};
 
-    const int globe = add(scene, Textured{add(scene, read_bitmap(asset("globe.png")))});
+    const int globe =
+        add(scene.materials, Textured{add(scene.textures, make_texture(read_bitmap(asset("globe.png"))))});
     scene.spheres = {{{1.75f, 0.36f, 0.85f}, 0.36f, globe}};
-    const int card_picture = add(scene, read_bitmap(asset("test_card.png")));
-    const int card = add(scene, Textured{.texture = card_picture, .repeat = vec2(float(tiles))});
+    const int card_picture = add(scene.textures, make_texture(read_bitmap(asset("test_card.png"))));
+    const int card = add(scene.materials, Textured{.texture = card_picture, .repeat = vec2(float(tiles))});
     scene.quads = {{{0.75f, 0.25f, -1.0f}, {1.75f, 0, 0.35f}, {0.04f, 1.1f, -0.2f}, card}};
 
     ObjFile cow = read_obj(asset("cow.obj"));
     place(cow, 1.35f, -35, {-0.85f, 0, -0.3f});
-    add(scene, cow, 40);
+    add_model(scene, cow, 40);
     ObjFile cat = read_obj(asset("cat.obj"));
     place(cat, 0.62f, -60, {0.55f, 0, 0.85f});
-    add(scene, cat, 40);
+    add_model(scene, cat, 40);
     return {.from = {0.25f, 1.35f, 5.0f}, .at = {0.25f, 0.6f, 0}, .fov = 33};
 }
 

@@ -73,5 +73,9 @@ inline Diffuse at(const Textured& surface, const std::vector<Texture>& textures,
     return {surface.tint * bilinear(textures[std::size_t(surface.texture)], surface.repeat * uv),
             surface.emission};
 }
+template <typename S>
+Diffuse matte_at(const Textured& surface, const S& scene, const Hit& hit) {
+    return at(surface, scene.textures, hit.uv);
+}
 
 } // namespace rt

@@ -1,7 +1,7 @@
 // Step 07 asks: what is a pixel?
 #include "01_spheres/view.h"
 #include "05_mesh_bvh/stage.h"
-#include "06_textures/radiance.h"
+#include "04_refraction/radiance.h"
 #include "06_textures/scene.h"
 #include "07_antialias/filter.h"
 #include "07_antialias/lens.h"
@@ -28,13 +28,13 @@ Bitmap zone_plate(int size) {
 Pose test_chart(Scene& scene) {
     scene.sky = {.nadir = {0.5f, 0.46f, 0.42f}, .zenith = {0.28f, 0.4f, 0.66f}};
     scene.lights = {{{-3, 5, 5}, vec3(85, 80, 70)}};
-    const int floor = add(scene, Checker{{0.75f, 0.72f, 0.66f}, {0.1f, 0.12f, 0.16f}, 0.5f});
+    const int floor = add(scene.materials, Checker{{0.75f, 0.72f, 0.66f}, {0.1f, 0.12f, 0.16f}, 0.5f});
     scene.planes = {{{0, 0, 0}, {0, 1, 0}, floor}};
 
-    const int rings = add(scene, Textured{add(scene, zone_plate(1024))});
-    const int white = add(scene, Diffuse{vec3(0.85f)});
-    const int black = add(scene, Diffuse{vec3(0.03f)});
-    const int wire = add(scene, flat(vec3(3.0f, 2.6f, 1.6f)));
+    const int rings = add(scene.materials, Textured{add(scene.textures, make_texture(zone_plate(1024)))});
+    const int white = add(scene.materials, Diffuse{vec3(0.85f)});
+    const int black = add(scene.materials, Diffuse{vec3(0.03f)});
+    const int wire = add(scene.materials, flat(vec3(3.0f, 2.6f, 1.6f)));
     scene.quads = {{{-1.75f, 0.15f, -0.6f}, {1.7f, 0, -0.1f}, {0, 1.7f, 0}, rings},
                    {{0.35f, 0.15f, -0.75f}, {1.5f, 0, 0.25f}, {0, 1.7f, 0}, white},
                    {{0.47f, 0.19f, -0.72f}, {1.22f, 0.3f, 0.2f}, {-0.02f, 0.75f, 0}, black},
@@ -43,7 +43,7 @@ Pose test_chart(Scene& scene) {
 
     ObjFile cat = read_obj(asset("cat.obj"));
     place(cat, 0.7f, -70, {1.45f, 0, 0.75f});
-    add(scene, cat, 40);
+    add_model(scene, cat, 40);
     return {.from = {0, 1.25f, 5.2f}, .at = {0, 0.95f, 0}, .fov = 32};
 }
 

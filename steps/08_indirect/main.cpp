@@ -18,7 +18,7 @@ enum class Show { room, furnace, cornell, weekend, animal };
 /// A white ball in an evenly white world. Whatever it receives it gives back, so it must not be seen at all.
 Pose furnace(Scene& scene) {
     scene.sky = {vec3(0.5f), vec3(0.5f)};
-    const int white = add(scene, Diffuse{vec3(1)});
+    const int white = add(scene.materials, Diffuse{vec3(1)});
     scene.spheres = {{{0, 0, 0}, 1, white}};
     return {.from = {0, 0, 4}, .at = {0, 0, 0}, .fov = 40};
 }

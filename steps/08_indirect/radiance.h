@@ -47,9 +47,8 @@ std::variant<Diffuse, Specular> meet(const S& scene, const Ray& ray, const Hit& 
         material = coat->base;
     }
     return match(
-        scene.materials[std::size_t(material)], [&](const Diffuse& diffuse) -> Result { return diffuse; },
-        [&](const Checker& checker) -> Result { return at(checker, hit.uv); },
-        [&](const Textured& textured) -> Result { return at(textured, scene.textures, hit.uv); },
+        scene.materials[std::size_t(material)],
+        [&](const auto& matte) -> Result { return matte_at(matte, scene, hit); },
         [&](const Mirror& mirror) -> Result { return mirrored(mirror.tint); },
         [&](const Metal& metal) -> Result {
             const auto onward = metal_ray(metal, ray, hit, source.uniform2());

@@ -2,12 +2,14 @@
 #pragma once
 
 #include "01_spheres/background.h"
+#include "01_spheres/checkerboard.h"
 #include "01_spheres/diffuse.h"
 #include "02_shadows/light.h"
 #include "03_mirror/mirror.h"
 #include "04_refraction/glass.h"
 #include "06_textures/cutout.h"
 #include "06_textures/texture.h"
+#include "common/util/add.h"
 #include "08_indirect/metal.h"
 
 #include <variant>
@@ -24,40 +26,28 @@ struct Scene : CutOutShapes {
     std::vector<Texture> textures;
 };
 
-/// Puts a material into the scene and answers its number.
-inline int add(Scene& scene, const Material& material) {
-    scene.materials.push_back(material);
-    return int(scene.materials.size()) - 1;
-}
-
-/// Puts a texture into the scene and answers its number.
-inline int add(Scene& scene, const Bitmap& bitmap) {
-    scene.textures.push_back(make_texture(bitmap));
-    return int(scene.textures.size()) - 1;
-}
-
 /// Puts a material of a model into the scene and answers its number: matte or textured, under a mirror if it
 /// is reflective; or glass. The model's textures start at number `first_texture`.
-inline int add(Scene& scene, const ObjMaterial& material, int first_texture) {
-    if (material.glass) return add(scene, Glass{{material.ior}});
-    const int base =
-        material.texture < 0
-            ? add(scene, Diffuse{material.diffuse, material.emission})
-            : add(scene, Textured{first_texture + material.texture, material.diffuse, material.emission});
+inline int add_material(Scene& scene, const ObjMaterial& material, int first_texture) {
+    if (material.glass) return add(scene.materials, Glass{{material.ior}});
+    const int base = material.texture < 0
+                         ? add(scene.materials, Diffuse{material.diffuse, material.emission})
+                         : add(scene.materials, Textured{first_texture + material.texture, material.diffuse,
+                                                         material.emission});
     if (material.reflectivity == 0) return base;
-    return add(scene, Reflective{material.reflectivity, base});
+    return add(scene.materials, Reflective{material.reflectivity, base});
 }
 
 /// Puts a model into the scene, with its materials, textures and masks. A material that glows has no holes.
 /// `crease` as in smooth_normals().
-inline void add(Scene& scene, const ObjFile& file, float crease) {
+inline void add_model(Scene& scene, const ObjFile& file, float crease) {
     const int first_texture = int(scene.textures.size());
-    for (const Bitmap& bitmap : file.textures) add(scene, bitmap);
+    for (const Bitmap& bitmap : file.textures) add(scene.textures, make_texture(bitmap));
     const int first_mask = int(scene.masks.size());
-    for (const Mask& mask : file.masks) scene.masks.push_back(make_mask(mask));
+    for (const Mask& mask : file.masks) add(scene.masks, make_mask(mask));
     std::vector<int> numbers;
     for (const ObjMaterial& material : file.material_list) {
-        numbers.push_back(add(scene, material, first_texture));
+        numbers.push_back(add_material(scene, material, first_texture));
         if (material.mask >= 0 && material.emission == vec3(0))
             cut_out(scene, numbers.back(), first_mask + material.mask);
     }

@@ -39,7 +39,7 @@ inline Material weekend_material(Random& random) {
 /// The same balls every time.
 inline Pose weekend(Scene& scene) {
     const auto ball = [&](vec3 center, float radius, const Material& material) {
-        scene.spheres.push_back({center, radius, add(scene, material)});
+        scene.spheres.push_back({center, radius, add(scene.materials, material)});
     };
     ball({0, -1000, 0}, 1000, Diffuse{vec3(0.5f)});
     Random random(22);
@@ -63,7 +63,7 @@ inline Pose weekend(Scene& scene, const std::vector<ListedSphere>& list) {
                                       ? Material(Metal{ball.albedo, ball.fuzz})
                                   : ball.kind == ListedSphere::Kind::glass ? Material(Glass{{ball.ior}})
                                                                            : Material(Diffuse{ball.albedo});
-        scene.spheres.push_back({ball.center, ball.radius, add(scene, material)});
+        scene.spheres.push_back({ball.center, ball.radius, add(scene.materials, material)});
     }
     return weekend_view(scene);
 }

@@ -1,4 +1,4 @@
-// Facts about matte surfaces: what they send back, and the squares of a checker.
+// Facts about matte surfaces: what they send back.
 #include "tests/check.h"
 
 #include "01_spheres/diffuse.h"
@@ -21,18 +21,4 @@ TEST_CASE("a flat surface has its own radiance, whatever light there is") {
     CHECK_MESSAGE(reflected(Diffuse{{0.8f, 0.4f, 0.5f}, {1, 2, 3}}, vec3(pi)) ==
                       approx(vec3(1.8f, 2.4f, 3.5f)),
                   "what a surface sends out by itself is added to what it reflects");
-}
-
-TEST_CASE("the squares of a checker alternate on both sides of zero") {
-    const Checker checker{{0.8f, 0, 0}, {0, 0.3f, 0}, 0.5f};
-    for (int row = -4; row < 4; ++row)
-        for (int column = -4; column < 4; ++column) {
-            const bool even = (row + column) % 2 == 0;
-            for (const float inset : {0.02f, 0.25f, 0.48f}) {
-                const vec2 uv = 0.5f * vec2(column, row) + vec2(inset, 0.5f - inset);
-                INFO("square (" << column << ", " << row << ") at uv = " << to_text(uv));
-                CHECK_MESSAGE(at(checker, uv).albedo == approx(even ? checker.even : checker.odd),
-                              "a cast to int makes the two squares beside zero one: take floor");
-            }
-        }
 }

@@ -18,7 +18,7 @@ TEST_CASE("a ray that meets nothing sees the sky") {
 
 TEST_CASE("a white matte ball vanishes in an even sky") {
     Scene scene{.sky = {vec3(0.5f, 2, 0.25f), vec3(0.5f, 2, 0.25f)}};
-    scene.spheres = {{{1, -2, 3}, 2, add(scene, Diffuse{vec3(1)})}};
+    scene.spheres = {{{1, -2, 3}, 2, add(scene.materials, Diffuse{vec3(1)})}};
     CHECK_MESSAGE(radiance(scene, to_ball) == approx(vec3(0.5f, 2, 0.25f)),
                   "what comes in goes out, not more");
     CHECK(radiance(scene, from_within) == approx(vec3(0.5f, 2, 0.25f)));
@@ -27,7 +27,7 @@ TEST_CASE("a white matte ball vanishes in an even sky") {
 TEST_CASE("a matte ball shows albedo / pi of what the sky sheds on the side that is seen") {
     Scene scene{.sky = {{0.1f, 0.2f, 0.9f}, {0.7f, 0.4f, 0.1f}}};
     const vec3 albedo(0.8f, 0.4f, 0.5f);
-    scene.spheres = {{{1, -2, 3}, 2, add(scene, Diffuse{albedo})}};
+    scene.spheres = {{{1, -2, 3}, 2, add(scene.materials, Diffuse{albedo})}};
     const vec3 seen = radiance(scene, to_ball);
     CHECK(seen == approx(albedo * mix(scene.sky.nadir, scene.sky.zenith, 0.5f + outward.y / 3)));
     const vec3 within = radiance(scene, from_within);
@@ -38,7 +38,7 @@ TEST_CASE("a matte ball shows albedo / pi of what the sky sheds on the side that
 TEST_CASE("a checker floor shows the colour of the square that is met") {
     Scene scene{.sky = {vec3(1), vec3(1)}};
     scene.planes = {
-        {{0, -1, 0}, {0, 1, 0}, add(scene, Checker{{0.8f, 0.2f, 0.1f}, {0.1f, 0.4f, 0.3f}, 0.5f})}};
+        {{0, -1, 0}, {0, 1, 0}, add(scene.materials, Checker{{0.8f, 0.2f, 0.1f}, {0.1f, 0.4f, 0.3f}, 0.5f})}};
     const auto seen = [&](float x, float z) { return radiance(scene, Ray{{x, 3, z}, {0, -2, 0}}); };
     CHECK(seen(0.2f, -0.3f) == approx(vec3(0.8f, 0.2f, 0.1f)));
     CHECK(seen(0.7f, -0.3f) == approx(vec3(0.1f, 0.4f, 0.3f)));
@@ -48,8 +48,8 @@ TEST_CASE("a checker floor shows the colour of the square that is met") {
 
 TEST_CASE("a ball hides what is behind it and takes its own material") {
     Scene scene;
-    scene.spheres = {{{0, 0, -9}, 3, add(scene, flat({1, 0, 0}))},
-                     {{0, 0, -3}, 1, add(scene, flat({0, 1, 0}))}};
+    scene.spheres = {{{0, 0, -9}, 3, add(scene.materials, flat({1, 0, 0}))},
+                     {{0, 0, -3}, 1, add(scene.materials, flat({0, 1, 0}))}};
     CHECK(radiance(scene, Ray{{0, 0, 0}, {0, 0, -2}}) == approx(vec3(0, 1, 0)));
     CHECK(radiance(scene, Ray{{0, 0, 0}, {0, 1.2f, -4.8f}}) == approx(vec3(0, 1, 0)));
     CHECK(radiance(scene, Ray{{0, 0, -5}, {0, 0, -2}}) == approx(vec3(1, 0, 0)));

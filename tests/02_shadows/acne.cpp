@@ -74,7 +74,7 @@ TEST_CASE("no point of a floor is shadowed by the floor, from one's feet to the 
         const vec3 a = beside(normal), b = cross(normal, a);
         const vec3 point = any_point(random, 20);
         Scene scene;
-        scene.planes = {{point, normal, add(scene, Diffuse{vec3(0.5f)})}};
+        scene.planes = {{point, normal, add(scene.materials, Diffuse{vec3(0.5f)})}};
         const vec3 eye = point + 1.7f * normal;
         const float away = std::pow(10.0f, -2 + 5 * random.uniform()); // a centimetre to a kilometre
         const float angle = 2 * pi * random.uniform();

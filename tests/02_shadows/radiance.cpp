@@ -13,7 +13,7 @@ using namespace rt;
 
 TEST_CASE("a floor of albedo .5 under that light shows a radiance of .125") {
     Scene scene;
-    scene.planes = {{somewhere, tilted, add(scene, Diffuse{vec3(0.5f, 0.8f, 0.4f)})}};
+    scene.planes = {{somewhere, tilted, add(scene.materials, Diffuse{vec3(0.5f, 0.8f, 0.4f)})}};
     scene.lights = {{somewhere + 2.0f * tilted, vec3(pi)}};
     const vec3 aslant = -2.0f * tilted + 1.5f * beside(tilted);
     const vec3 seen = radiance(scene, Ray{somewhere - 0.7f * aslant, aslant});
@@ -26,7 +26,7 @@ TEST_CASE("a floor of albedo .5 under that light shows a radiance of .125") {
 
 TEST_CASE("matte surfaces look equally bright from everywhere") {
     Scene scene;
-    scene.planes = {{somewhere, tilted, add(scene, Diffuse{vec3(0.5f)})}};
+    scene.planes = {{somewhere, tilted, add(scene.materials, Diffuse{vec3(0.5f)})}};
     scene.lights = {{somewhere + 2.0f * tilted + 1.0f * beside(tilted), vec3(7)}};
     const vec3 straight = radiance(scene, Ray{somewhere + tilted, -tilted});
     const vec3 grazing = 0.1f * tilted + 3.0f * beside(tilted);
@@ -35,7 +35,7 @@ TEST_CASE("matte surfaces look equally bright from everywhere") {
 
 TEST_CASE("a floor that is seen from below is lit by the lights below it alone") {
     Scene scene;
-    scene.planes = {{somewhere, tilted, add(scene, Diffuse{vec3(0.5f)})}};
+    scene.planes = {{somewhere, tilted, add(scene.materials, Diffuse{vec3(0.5f)})}};
     const PointLight above{somewhere + 2.0f * tilted, vec3(pi)},
         below{somewhere - 2.0f * tilted, vec3(3 * pi)};
     const Ray from_above{somewhere + tilted, -0.5f * tilted}, from_below{somewhere - tilted, 0.5f * tilted};
@@ -49,9 +49,9 @@ namespace {
 /// Balls over a checker floor in a half-dark sky, with no light yet.
 Scene room() {
     Scene scene;
-    const int chalk = add(scene, Diffuse{{0.8f, 0.4f, 0.6f}});
-    const int lamp = add(scene, Diffuse{{0.3f, 0.3f, 0.3f}, {0.5f, 0.2f, 0}});
-    const int floor = add(scene, Checker{{0.7f, 0.6f, 0.5f}, {0.2f, 0.3f, 0.4f}, 0.5f});
+    const int chalk = add(scene.materials, Diffuse{{0.8f, 0.4f, 0.6f}});
+    const int lamp = add(scene.materials, Diffuse{{0.3f, 0.3f, 0.3f}, {0.5f, 0.2f, 0}});
+    const int floor = add(scene.materials, Checker{{0.7f, 0.6f, 0.5f}, {0.2f, 0.3f, 0.4f}, 0.5f});
     scene.spheres = {
         {{0, 0.9f, 0}, 0.9f, chalk}, {{1.5f, 0.6f, 0.7f}, 0.4f, chalk}, {{-1.5f, 0.5f, 0.6f}, 0.5f, lamp}};
     scene.planes = {{{0, 0, 0}, {0.1f, 0.99f, -0.0994987f}, floor}};
@@ -108,7 +108,7 @@ TEST_CASE("the light of the sky is added once, however many lights there are") {
 
 TEST_CASE("with no lights a white matte ball vanishes in an even sky") {
     Scene scene{.sky = {{0.5f, 2, 0.25f}, {0.5f, 2, 0.25f}}};
-    scene.spheres = {{somewhere, 2, add(scene, Diffuse{vec3(1)})}};
+    scene.spheres = {{somewhere, 2, add(scene.materials, Diffuse{vec3(1)})}};
     const vec3 seen = radiance(scene, Ray{somewhere + vec3(4, 3, 5), {-0.7f, -0.5f, -1}});
     CHECK_MESSAGE(seen == approx(vec3(0.5f, 2, 0.25f)),
                   hint(seen.x, {{0, "the light of the sky was left out"},
@@ -134,14 +134,14 @@ TEST_CASE("twice the intensity makes twice the light, and no light makes black")
 
 TEST_CASE("a surface in shadow still shows what it sends out by itself") {
     Scene scene;
-    scene.spheres = {{{0, 0, -5}, 1, add(scene, Diffuse{vec3(0.5f), {3, 2, 1}})}};
+    scene.spheres = {{{0, 0, -5}, 1, add(scene.materials, Diffuse{vec3(0.5f), {3, 2, 1}})}};
     scene.lights = {{{0, 0, -9}, vec3(100)}}; // behind the ball
     CHECK(radiance(scene, Ray{{0, 0, 0}, {0, 0, -2}}) == approx(vec3(3, 2, 1)));
 }
 
 TEST_CASE("each shape has its own material, and the nearest one shows") {
     Scene scene;
-    const int red = add(scene, flat({1, 0, 0})), green = add(scene, flat({0, 1, 0}));
+    const int red = add(scene.materials, flat({1, 0, 0})), green = add(scene.materials, flat({0, 1, 0}));
     scene.spheres = {{{0, 0, -9}, 3, red}, {{0, 0, -3}, 1, green}};
     CHECK(radiance(scene, Ray{{0, 0, 0}, {0, 0, -2}}) == approx(vec3(0, 1, 0)));
     CHECK(radiance(scene, Ray{{0, 0, -5}, {0, 0, -2}}) == approx(vec3(1, 0, 0)));
@@ -150,7 +150,7 @@ TEST_CASE("each shape has its own material, and the nearest one shows") {
 TEST_CASE("a checker floor in the light shows the colour of its squares") {
     Scene scene;
     scene.planes = {
-        {{0, 0, 0}, {0, 1, 0}, add(scene, Checker{{0.8f, 0.2f, 0.1f}, {0.1f, 0.4f, 0.3f}, 0.5f})}};
+        {{0, 0, 0}, {0, 1, 0}, add(scene.materials, Checker{{0.8f, 0.2f, 0.1f}, {0.1f, 0.4f, 0.3f}, 0.5f})}};
     scene.lights = {{{0.7f, 2, -0.3f}, vec3(pi)}};
     CHECK(radiance(scene, Ray{{0.7f, 1, -0.3f}, {0, -0.5f, 0}}) == approx(vec3(0.1f, 0.4f, 0.3f) / 4.0f));
     scene.lights = {{{-0.2f, 2, 0.3f}, vec3(pi)}};

@@ -21,7 +21,7 @@ TEST_CASE("the umbra under a ball has the radius H tan(asin(a / (H - h)))") {
     const float a = 0.5f, h = 1.2f, H = 3.4f; // radius of the ball, height of its centre, height of the light
     Scene scene;
     const vec3 foot(2, -1, -3); // on the floor, below both
-    scene.planes = {{foot, {0, 1, 0}, add(scene, Diffuse{vec3(0.5f)})}};
+    scene.planes = {{foot, {0, 1, 0}, add(scene.materials, Diffuse{vec3(0.5f)})}};
     scene.spheres = {{foot + vec3(0, h, 0), a, 0}};
     scene.lights = {{foot + vec3(0, H, 0), vec3(10)}};
     const float expected = H * std::tan(std::asin(a / (H - h)));
@@ -47,7 +47,7 @@ TEST_CASE("a ball of half a millimetre has its shadow where it should be") {
     Scene scene;
     const vec3 foot(0.3f, 0, -0.4f), way = normalize(vec3(0.6f, 1, 0.8f));
     const float radius = 5e-4f;
-    scene.planes = {{{0, 0, 0}, {0, 1, 0}, add(scene, Diffuse{vec3(0.5f)})}};
+    scene.planes = {{{0, 0, 0}, {0, 1, 0}, add(scene.materials, Diffuse{vec3(0.5f)})}};
     scene.spheres = {{foot + vec3(0, radius, 0), radius, 0}};
     scene.lights = {{foot + 3.0f * way, vec3(10)}};
     const auto seen = [&](vec3 point) {
@@ -63,7 +63,7 @@ TEST_CASE("a ball of half a millimetre has its shadow where it should be") {
 TEST_CASE("a floor is dark up to the very place where a ball touches it") {
     Scene scene;
     const vec3 touch(1, 0, -2);
-    scene.planes = {{touch, {0, 1, 0}, add(scene, Diffuse{vec3(0.5f)})}};
+    scene.planes = {{touch, {0, 1, 0}, add(scene.materials, Diffuse{vec3(0.5f)})}};
     scene.spheres = {{touch + vec3(0, 0.5f, 0), 0.5f, 0}};
     scene.lights = {{touch + vec3(0, 4, 0), vec3(10)}};
     int lit = 0;

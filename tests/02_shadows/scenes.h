@@ -12,7 +12,7 @@ namespace rt {
 /// A scene of nothing but `lights` and `balls` of matte grey.
 inline Scene lit_balls(std::vector<PointLight> lights, std::vector<Sphere> balls) {
     Scene scene;
-    add(scene, Diffuse{vec3(0.5f)});
+    add(scene.materials, Diffuse{vec3(0.5f)});
     scene.lights = std::move(lights);
     scene.spheres = std::move(balls);
     return scene;

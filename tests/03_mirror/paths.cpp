@@ -15,9 +15,9 @@ Scene path_of(const std::vector<vec3>& points, const std::vector<vec3>& tints, v
     for (std::size_t i = 1; i + 1 < points.size(); ++i) {
         const vec3 normal =
             normalize(normalize(points[i - 1] - points[i]) + normalize(points[i + 1] - points[i]));
-        scene.quads.push_back(tile(points[i], normal, 0.2f, add(scene, Mirror{tints[i - 1]})));
+        scene.quads.push_back(tile(points[i], normal, 0.2f, add(scene.materials, Mirror{tints[i - 1]})));
     }
-    scene.spheres = {{points.back(), 0.15f, add(scene, flat(glow))}};
+    scene.spheres = {{points.back(), 0.15f, add(scene.materials, flat(glow))}};
     return scene;
 }
 
@@ -49,10 +49,10 @@ TEST_CASE("a path goes on over five oblique mirrors") {
 TEST_CASE("a matte ball in a mirror is as bright as the ball itself") {
     Scene scene;
     const vec3 ball(-1, -2, -3.5f), on_mirror(1, 0.5f, -4), eye(0, 0, 0);
-    const int silver = add(scene, Mirror{vec3(1)});
+    const int silver = add(scene.materials, Mirror{vec3(1)});
     const vec3 normal = normalize(normalize(eye - on_mirror) + normalize(ball - on_mirror));
     scene.quads = {tile(on_mirror, normal, 0.3f, silver)};
-    scene.spheres = {{ball, 0.5f, add(scene, Diffuse{{0.8f, 0.4f, 0.6f}})}};
+    scene.spheres = {{ball, 0.5f, add(scene.materials, Diffuse{{0.8f, 0.4f, 0.6f}})}};
     scene.lights = {{{2, 3, -1}, {9, 8, 7}}};
     const vec3 directly = radiance(scene, Ray{on_mirror - 0.01f * (on_mirror - ball), ball - on_mirror}, 3);
     REQUIRE(directly.x > 0.01f);
@@ -61,11 +61,11 @@ TEST_CASE("a matte ball in a mirror is as bright as the ball itself") {
 
 TEST_CASE("a mirror hides the light behind it") {
     Scene scene;
-    scene.planes = {{{0, 0, 0}, {0, 1, 0}, add(scene, Diffuse{vec3(0.5f)})}};
+    scene.planes = {{{0, 0, 0}, {0, 1, 0}, add(scene.materials, Diffuse{vec3(0.5f)})}};
     scene.lights = {{{1, 2, -1}, vec3(pi)}};
     const Ray down{{1, 0.3f, -1}, {0, -2, 0}};
     CHECK(radiance(scene, down, 3) == approx(vec3(0.125f)));
-    scene.quads = {tile({1, 1, -1}, tilted, 0.4f, add(scene, Mirror{vec3(1)}))};
+    scene.quads = {tile({1, 1, -1}, tilted, 0.4f, add(scene.materials, Mirror{vec3(1)}))};
     CHECK_MESSAGE(radiance(scene, down, 3) == vec3(0), "quads cast shadows");
     scene.quads = {tile({1, 3, -1}, tilted, 0.4f, 1)};
     CHECK_MESSAGE(radiance(scene, down, 3) == approx(vec3(0.125f)), "it stands beyond the light");

@@ -7,7 +7,7 @@ using namespace rt;
 TEST_CASE("a mirror of tint s in a sky of radiance c shows s c") {
     const vec3 s(0.5f, 0.9f, 0.2f);
     Scene scene = one_tile();
-    add(scene, Mirror{s});
+    add(scene.materials, Mirror{s});
     const vec3 seen = radiance(scene, to_tile, 5);
     CHECK_MESSAGE(seen == approx(s * c),
                   hint(seen, {{c, "the tint was forgotten"},
@@ -22,7 +22,7 @@ TEST_CASE("a mirror of tint s in a sky of radiance c shows s c") {
 TEST_CASE("a mirror shows the sky that lies in the reflected direction") {
     Scene scene = one_tile();
     scene.sky = {{0.1f, 0.2f, 0.9f}, {0.7f, 0.4f, 0.1f}};
-    add(scene, Mirror{{0.5f, 0.9f, 0.2f}});
+    add(scene.materials, Mirror{{0.5f, 0.9f, 0.2f}});
     const float d_n = dot(slanting, tilted);
     const vec3 r = slanting - 2 * d_n * tilted;
     const vec3 tint(0.5f, 0.9f, 0.2f), seen = radiance(scene, to_tile, 5);
@@ -43,8 +43,8 @@ TEST_CASE("a mirror ball shows in each point what lies in the reflected directio
         const vec3 from = normalize(n + 0.9f * any_direction(random)); // leads away from the ball
         const vec3 to = 2 * dot(from, n) * n - from;                   // as much to the other side of n
         Scene scene;
-        add(scene, Mirror{{0.5f, 0.9f, 0.2f}});
-        scene.spheres = {ball, {point + 9.0f * to, 0.1f, add(scene, flat({3, 2, 1}))}};
+        add(scene.materials, Mirror{{0.5f, 0.9f, 0.2f}});
+        scene.spheres = {ball, {point + 9.0f * to, 0.1f, add(scene.materials, flat({3, 2, 1}))}};
         found += radiance(scene, Ray{point + 3.0f * from, -2.0f * from}, 1) == approx(vec3(1.5f, 1.8f, 0.2f));
     }
     CHECK_MESSAGE(found == 200, found << " of 200 mirrored targets were seen");
@@ -89,8 +89,8 @@ TEST_CASE("a ray may meet exactly as many mirrors as its depth says, and is blac
 
 TEST_CASE("at depth 0 mirrors are black and all else is as it is") {
     Scene scene = one_tile();
-    add(scene, Mirror{vec3(1)});
-    scene.quads.push_back(tile(somewhere + 9.0f * tilted, tilted, 1, add(scene, flat({3, 2, 1}))));
+    add(scene.materials, Mirror{vec3(1)});
+    scene.quads.push_back(tile(somewhere + 9.0f * tilted, tilted, 1, add(scene.materials, flat({3, 2, 1}))));
     CHECK(radiance(scene, to_tile, 0) == vec3(0));
     CHECK(radiance(scene, Ray{somewhere + 5.0f * tilted, 2.0f * tilted}, 0) == approx(vec3(3, 2, 1)));
     CHECK_MESSAGE(radiance(scene, Ray{somewhere + 5.0f * tilted, 2.0f * beside(tilted)}, 0) == approx(c),
@@ -101,9 +101,9 @@ TEST_CASE("inside a closed mirror with no light it is exactly dark") {
     // However bright the sky is outside: no ray may slip out.
     Random random(7);
     Scene shell{.sky = {vec3(1000), vec3(1000)}};
-    shell.spheres = {{somewhere, 2, add(shell, Mirror{vec3(1)})}};
+    shell.spheres = {{somewhere, 2, add(shell.materials, Mirror{vec3(1)})}};
     Scene box{.sky = {vec3(1000), vec3(1000)}};
-    const int silver = add(box, Mirror{vec3(1)});
+    const int silver = add(box.materials, Mirror{vec3(1)});
     const vec3 a = tilted, b = beside(tilted);
     for (const vec3 axis : {a, b, cross(a, b)})
         for (const float side : {-1.0f, 1.0f})
@@ -123,8 +123,8 @@ TEST_CASE("inside a closed mirror with no light it is exactly dark") {
 TEST_CASE("inside a ball with a mirror for a wall, a lamp is seen by way of the wall") {
     Scene scene;
     const vec3 lamp = somewhere + vec3(0, 0.5f, 0);
-    add(scene, Mirror{{0.9f, 0.5f, 1}});
-    scene.spheres = {{somewhere, 2, 0}, {lamp, 0.1f, add(scene, flat({3, 2, 1}))}};
+    add(scene.materials, Mirror{{0.9f, 0.5f, 1}});
+    scene.spheres = {{somewhere, 2, 0}, {lamp, 0.1f, add(scene.materials, flat({3, 2, 1}))}};
     // up to the wall through nothing, straight back, and on to the lamp from the other side
     CHECK(radiance(scene, Ray{somewhere + vec3(0, 1, 0), {0, 2, 0}}, 5) == approx(vec3(2.7f, 1, 1)));
     CHECK(radiance(scene, Ray{somewhere, {0, -2, 0}}, 5) == approx(vec3(2.7f, 1, 1)));

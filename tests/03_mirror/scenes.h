@@ -33,7 +33,7 @@ struct Hall {
         const float height = 0.1f * float(2 * bounces); // the ray rises .2 from one mirror to the other
         for (const float side : {-1.0f, 1.0f})
             scene.quads.push_back({somewhere + side * tilted - 3.0f * along - up, 6.0f * along,
-                                   (height + 1) * up, add(scene, Mirror{s})});
+                                   (height + 1) * up, add(scene.materials, Mirror{s})});
         ray = {somewhere, 1.7f * (tilted + 0.1f * up + 0.05f * along)};
     }
 };

@@ -48,7 +48,7 @@ TEST_CASE("tinted glass absorbs inside it and nowhere else") {
 TEST_CASE("a thing inside tinted glass is seen through the glass before it alone") {
     const vec3 absorption{0.1f, 0.35f, 0.8f};
     Glassware scene = ball_of(Glass{{1, absorption}});
-    scene.spheres.push_back({center, 0.25f * radius, add(scene, flat({0.5f, 2, 1}))});
+    scene.spheres.push_back({center, 0.25f * radius, add(scene.materials, flat({0.5f, 2, 1}))});
     CHECK(radiance(scene, ray_beside(0), 4) ==
           approx(vec3(0.5f, 2, 1) * exp(-absorption * 0.75f * radius), 1e-4f));
 }
@@ -57,7 +57,7 @@ TEST_CASE("a bubble in tinted glass does not absorb, the glass around it does") 
     const vec3 absorption{0.1f, 0.35f, 0.8f};
     const Medium tinted{1, absorption};
     Glassware scene = ball_of(Glass{tinted});
-    scene.spheres.push_back({center, 0.6f * radius, add(scene, Glass{air, tinted})});
+    scene.spheres.push_back({center, 0.6f * radius, add(scene.materials, Glass{air, tinted})});
     CHECK_MESSAGE(radiance(scene, ray_beside(0), 5) == approx(exp(-absorption * 2.0f * 0.4f * radius), 1e-4f),
                   "each boundary names the medium beyond it: after the bubble it is glass again");
 }
@@ -66,11 +66,11 @@ TEST_CASE("light to and from a mirror inside tinted glass is absorbed both ways"
     const vec3 absorption{0.1f, 0.35f, 0.8f};
     const vec3 expected = vec3(0.5f, 0.6f, 0.7f) * exp(-absorption * 2.0f * 0.75f * radius);
     Glassware scene = ball_of(Glass{{1, absorption}});
-    scene.spheres.push_back({center, 0.25f * radius, add(scene, Mirror{{0.5f, 0.6f, 0.7f}})});
+    scene.spheres.push_back({center, 0.25f * radius, add(scene.materials, Mirror{{0.5f, 0.6f, 0.7f}})});
     CHECK(radiance(scene, ray_beside(0), 5) == approx(expected, 1e-4f));
 
-    const int black = add(scene, Diffuse{vec3(0)});
-    scene.spheres.back().material = add(scene, Reflective{1, black, {0.5f, 0.6f, 0.7f}});
+    const int black = add(scene.materials, Diffuse{vec3(0)});
+    scene.spheres.back().material = add(scene.materials, Reflective{1, black, {0.5f, 0.6f, 0.7f}});
     CHECK(radiance(scene, ray_beside(0), 5) == approx(expected, 1e-4f));
 }
 
@@ -78,8 +78,8 @@ TEST_CASE("what glass under a coat reflects inside tinted glass is absorbed both
     const vec3 absorption{0.1f, 0.35f, 0.8f};
     const Medium tinted{1, absorption};
     Glassware scene = ball_of(Glass{tinted});
-    const int inner = add(scene, Glass{glass_15, tinted});
-    scene.spheres.push_back({center, 0.25f * radius, add(scene, Reflective{0, inner})});
+    const int inner = add(scene.materials, Glass{glass_15, tinted});
+    scene.spheres.push_back({center, 0.25f * radius, add(scene.materials, Reflective{0, inner})});
     // Three boundaries: in, back from the inner ball, out. All other ways meet more.
     CHECK(radiance(scene, ray_beside(0), 3) ==
           approx(0.04f * exp(-absorption * 2.0f * 0.75f * radius), 1e-5f));
@@ -92,6 +92,6 @@ TEST_CASE("an eye inside a medium sees through it") {
     CHECK_MESSAGE(radiance(scene, ray, 4, absorption) == approx(vec3(0)),
                   "an absorbing medium without end is black");
     CHECK_MESSAGE(radiance(scene, ray, 4) == approx(vec3(1)), "a clear one is not");
-    scene.spheres = {{vec3(1, 2, 3) - 4.0f * normal, 1.5f, add(scene, flat({0.5f, 2, 1}))}};
+    scene.spheres = {{vec3(1, 2, 3) - 4.0f * normal, 1.5f, add(scene.materials, flat({0.5f, 2, 1}))}};
     CHECK(radiance(scene, ray, 4, absorption) == approx(vec3(0.5f, 2, 1) * exp(-absorption * 2.5f)));
 }

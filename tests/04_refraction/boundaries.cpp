@@ -143,7 +143,7 @@ TEST_CASE("a slab moves a ray aside and does not turn it") {
 
 TEST_CASE("a ray through a bubble in a ball passes air, glass, air, glass and air") {
     Glassware scene = ball_of(ball);
-    scene.spheres.push_back({center, 0.6f * radius, add(scene, bubble)});
+    scene.spheres.push_back({center, 0.6f * radius, add(scene.materials, bubble)});
     const float indices[] = {1, 1.5f, 1, 1.5f, 1};
     Ray ray = ray_beside(0.3f);
     for (int i = 0; i < 4; ++i) {

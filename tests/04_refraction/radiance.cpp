@@ -28,7 +28,7 @@ TEST_CASE(
     "a slab of glass lets .923077 of the light through and reflects the rest, all inner bounces counted") {
     const Ray ray{1.3f * normal + 0.4f * tangent, -2.0f * normal};
     Glassware scene = slab_of(glass_15, 0.7f);
-    scene.planes.push_back({-2.0f * normal, normal, add(scene, flat(vec3(1)))});
+    scene.planes.push_back({-2.0f * normal, normal, add(scene.materials, flat(vec3(1)))});
     CHECK_MESSAGE(radiance(scene, ray, 60) == approx(vec3(0.923077f)),
                   "(1 - F) / (1 + F); .9216: the inner bounces are missing; .96: only one side reflects");
     scene.planes.back().point = 2.0f * normal;
@@ -37,7 +37,7 @@ TEST_CASE(
 
 TEST_CASE("a slab that is seen at 60 degrees lets (1 - F) / (1 + F) through") {
     Glassware scene = slab_of(glass_15, 0.7f);
-    scene.planes.push_back({-2.0f * normal, normal, add(scene, flat(vec3(1)))});
+    scene.planes.push_back({-2.0f * normal, normal, add(scene.materials, flat(vec3(1)))});
     const float f = 0.0891867f;
     CHECK(radiance(scene, Ray{-arriving(60), arriving(60)}, 60) == approx(vec3((1 - f) / (1 + f))));
 }
@@ -66,7 +66,7 @@ TEST_CASE("an air bubble in glass is invisible in a white furnace") {
 
 TEST_CASE("a single boundary is invisible in a white furnace, from the air and from the glass") {
     Glassware scene = white_furnace();
-    scene.planes = {{vec3(0), normal, add(scene, ball)}};
+    scene.planes = {{vec3(0), normal, add(scene.materials, ball)}};
     for (const float degrees : {0.0f, 30.0f, 41.0f, 60.0f, 85.0f}) {
         INFO("at ", degrees, " degrees");
         const std::string hint =
@@ -82,7 +82,7 @@ TEST_CASE("a bubble inside a ball is invisible in a white furnace") {
     // Light that crosses the shell to and fro takes up the depth: with 20 boundaries less than 1e-3 is cut
     // off, but for rays that just graze the bubble or the ball. It is never more than 1.
     Glassware scene = ball_of(ball);
-    scene.spheres.push_back({center + vec3(0.2f, 0, 0), 0.7f * radius, add(scene, bubble)});
+    scene.spheres.push_back({center + vec3(0.2f, 0, 0), 0.7f * radius, add(scene.materials, bubble)});
     for (float offset = -0.95f; offset < 0.96f; offset += 0.1f) {
         INFO("offset ", offset);
         const vec3 light = radiance(scene, ray_beside(offset), 20);
@@ -95,7 +95,7 @@ TEST_CASE("glass within glass of the same kind is invisible") {
     Glassware without = ball_of(ball);
     without.sky = {{1, 0.2f, 0}, {0, 0.7f, 1}};
     Glassware with = without;
-    with.spheres.push_back({center, 0.7f * radius, add(with, Glass{glass_15, glass_15})});
+    with.spheres.push_back({center, 0.7f * radius, add(with.materials, Glass{glass_15, glass_15})});
     for (float offset = 0; offset < 0.95f; offset += 0.11f) {
         INFO("offset ", offset);
         CHECK(radiance(with, ray_beside(offset), 4) ==

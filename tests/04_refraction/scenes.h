@@ -36,7 +36,7 @@ inline constexpr float radius = 2;
 /// One ball of radius 2 off the origin, in a world that shines white from everywhere.
 inline Glassware ball_of(const Glass& glass) {
     Glassware scene = white_furnace();
-    scene.spheres = {{center, radius, add(scene, glass)}};
+    scene.spheres = {{center, radius, add(scene.materials, glass)}};
     return scene;
 }
 
@@ -56,7 +56,7 @@ inline std::optional<Ray> passed(const Glassware& scene, const Ray& ray) {
 /// A slab of glass between two planes at right angles to `normal`, its upper side through the origin.
 inline Glassware slab_of(const Medium& medium, float thickness) {
     Glassware scene;
-    const int glass = add(scene, Glass{medium});
+    const int glass = add(scene.materials, Glass{medium});
     scene.planes = {{vec3(0), normal, glass}, {-thickness * normal, -normal, glass}};
     return scene;
 }

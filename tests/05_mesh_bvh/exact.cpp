@@ -25,7 +25,7 @@ Scene mixed_scene(std::uint64_t seed) {
                      middle + size * random_direction(random));
     }
     Scene scene;
-    add(scene, file, 0);
+    add_model(scene, file, 0);
     for (int i = 0; i < 20; ++i) {
         const float size = any_size(random);
         scene.quads.push_back({3.0f * random_direction(random) - size * vec3(0.3f, 0.5f, 0.1f),
@@ -173,7 +173,7 @@ TEST_CASE("a model of a picometre or a petametre has normals, and is met where i
         ObjFile file = icosphere(2);
         transform(file, size, size * vec3(0.3f, -0.2f, 0.5f));
         Scene scene;
-        add(scene, file, 60);
+        add_model(scene, file, 60);
         for (const Scene& found : by_all_ways(scene)) {
             const vec3 center = size * vec3(0.3f, -0.2f, 0.5f), from = center + size * vec3(2, 3, -4);
             const auto hit = intersect(found, Ray{from, normalize(center - from)});
@@ -193,8 +193,8 @@ TEST_CASE("models that are far from the origin are told apart by double coordina
     near.origin = {500000, 120, 4649776};
     far.origin = {500010.25, 118.5, 4649770};
     Scene scene;
-    add(scene, near, 40);
-    add(scene, far, 40);
+    add_model(scene, near, 40);
+    add_model(scene, far, 40);
     CHECK(scene.mesh.origin == near.origin);
     const Box box = bounds(scene.mesh);
     CHECK(box.low == approx({-1, -2.5f, -7}, 0.2f));

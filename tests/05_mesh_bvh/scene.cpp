@@ -15,9 +15,9 @@ TEST_CASE("two models in one scene keep their own triangles and materials") {
                          {.name = "lamp", .emission = {3, 2, 1}}};
     two.materials = {1, 0};
     Scene scene;
-    add(scene, flat(vec3(7)));
-    add(scene, one, 40);
-    add(scene, two, 40);
+    add(scene.materials, flat(vec3(7)));
+    add_model(scene, one, 40);
+    add_model(scene, two, 40);
     prepare(scene);
     const auto hit_from = [&](vec3 from, float direction) {
         return *intersect(scene, Ray{from, {0, 0, direction}});
@@ -33,7 +33,7 @@ TEST_CASE("two models in one scene keep their own triangles and materials") {
 TEST_CASE("a model's material is matte, under a mirror if it reflects, or glass") {
     Scene scene;
     const auto added = [&](const ObjMaterial& material) {
-        return scene.materials[std::size_t(add(scene, material))];
+        return scene.materials[std::size_t(add_material(scene, material))];
     };
     const Material matte = added({.diffuse = {0.8f, 0.4f, 0.2f}, .emission = {1, 2, 3}});
     REQUIRE(std::holds_alternative<Diffuse>(matte));

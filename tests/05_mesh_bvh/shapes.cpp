@@ -11,13 +11,13 @@ TEST_CASE("the nearest of several things is met, whichever kind it is") {
         for (const Accel accel : {Accel::brute, Accel::bvh, Accel::wide}) {
             Scene scene;
             scene.accel = accel;
-            for (int kind = 0; kind < 3; ++kind) add(scene, Diffuse{vec3(0.5f)});
+            for (int kind = 0; kind < 3; ++kind) add(scene.materials, Diffuse{vec3(0.5f)});
             scene.spheres = {{{0, 0, depth(0) - 0.25f}, 0.25f, 0}};
             scene.planes = {{{0, 0, depth(1)}, {0, 0, 1}, 1}};
             scene.quads = {{{-1, -1, depth(2)}, {2, 0, 0}, {0, 2, 0}, 2}};
             ObjFile file = empty_file();
             add_triangle(file, {-3, -3, depth(3)}, {3, -3, depth(3)}, {0, 3, depth(3)});
-            add(scene, file, 40);
+            add_model(scene, file, 40);
             prepare(scene);
             const auto hit = intersect(scene, Ray{{0.01f, 0.02f, 0}, {0, 0, -2}});
             REQUIRE(hit);

@@ -13,7 +13,7 @@ namespace rt {
 
 inline Scene scene_of(const ObjFile& file, float crease = 40) {
     Scene scene;
-    add(scene, file, crease);
+    add_model(scene, file, crease);
     prepare(scene);
     return scene;
 }

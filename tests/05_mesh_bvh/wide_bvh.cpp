@@ -12,7 +12,7 @@ namespace {
 Scene prepared(const ObjFile& file, Accel accel = Accel::wide) {
     Scene scene;
     scene.accel = accel;
-    add(scene, file, 0);
+    add_model(scene, file, 0);
     prepare(scene);
     return scene;
 }
@@ -135,7 +135,7 @@ TEST_CASE("the wide tree finds what asking every shape finds, among identical, f
 TEST_CASE("the wide tree finds spheres, quads and planes among triangles") {
     Random random(85);
     Scene scene;
-    const int grey = add(scene, Diffuse{vec3(0.5f)});
+    const int grey = add(scene.materials, Diffuse{vec3(0.5f)});
     for (int i = 0; i < 500; ++i)
         scene.spheres.push_back({random_point(random), 0.08f * random.uniform() + 1e-3f, grey});
     check_wide_changes_nothing(scene, {vec3(0), vec3(1)}, 1500);
@@ -143,14 +143,14 @@ TEST_CASE("the wide tree finds spheres, quads and planes among triangles") {
     for (int i = 0; i < 40; ++i)
         scene.quads.push_back(
             {random_point(random), 0.3f * random_point(random), 0.3f * random_direction(random), grey});
-    add(scene, random_triangles(500, 0.2f), 40);
+    add_model(scene, random_triangles(500, 0.2f), 40);
     check_wide_changes_nothing(scene, {vec3(0), vec3(1)}, 2000);
 }
 
 TEST_CASE("a quad in the wide tree has the hit of a quad, in both of its halves") {
     Scene scene;
-    add(scene, Diffuse{vec3(0.5f)});
-    const int second = add(scene, Diffuse{vec3(0.7f)});
+    add(scene.materials, Diffuse{vec3(0.5f)});
+    const int second = add(scene.materials, Diffuse{vec3(0.7f)});
     scene.quads = {{{1, 0.5f, -2}, {2, 0.3f, 0.1f}, {-0.2f, 1.5f, 0.4f}, second}};
     prepare(scene);
     Random random(86);

@@ -1,6 +1,6 @@
 // Facts about cut-outs and colors of vertices: what is a hole is not there, for eyes, shadows and lamps alike.
 #include "06_textures/cutout.h"
-#include "06_textures/radiance.h"
+#include "04_refraction/radiance.h"
 #include "06_textures/scene.h"
 #include "common/math/random.h"
 #include "tests/check.h"
@@ -32,7 +32,7 @@ Scene leaves(Accel accel) {
     add_leaf(file, 2, 1);
     Scene scene;
     scene.accel = accel;
-    add(scene, file, 40);
+    add_model(scene, file, 40);
     prepare(scene);
     return scene;
 }
@@ -90,7 +90,7 @@ TEST_CASE("what glows has no holes") {
     file.masks = {{1, 1, {0}}};
     add_leaf(file, 1, 0);
     Scene scene;
-    add(scene, file, 40);
+    add_model(scene, file, 40);
     prepare(scene);
     CHECK(intersect(scene, Ray{{0.5f, 5, -0.5f}, {0, -1, 0}}));
 }
@@ -101,9 +101,9 @@ TEST_CASE("colors of vertices are blended over a triangle and multiply its albed
     add_triangle(file, {0, 0, 0}, {0, 0, 3}, {3, 0, 0});
     file.colors = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     Scene scene;
-    add(scene, icosphere(0), 40); // without colors, and so white
+    add_model(scene, icosphere(0), 40); // without colors, and so white
     for (vec3& position : scene.mesh.positions) position.y -= 10;
-    add(scene, file, 40);
+    add_model(scene, file, 40);
     scene.sky = {.nadir = vec3(1), .zenith = vec3(1)};
     prepare(scene);
     const Ray ray{{0.9f, 2, 0.6f}, {0, -1, 0}};

@@ -7,8 +7,8 @@ using namespace rt;
 
 TEST_CASE("a picture on a sphere is upright and not mirrored") {
     Scene scene = evenly_lit();
-    const int picture = add_texture(scene, card());
-    scene.spheres = {{{3, -1, 2}, 1.5f, add(scene, Textured{picture})}};
+    const int picture = add(scene.textures, card());
+    scene.spheres = {{{3, -1, 2}, 1.5f, add(scene.materials, Textured{picture})}};
     prepare(scene);
     // From far out above the middle of each texel, whose longitude and latitude are known.
     for (int y = 0; y < 2; ++y) {
@@ -26,10 +26,10 @@ TEST_CASE("a picture on a sphere is upright and not mirrored") {
 
 TEST_CASE("a picture on a quad has its lower left corner at the quad's corner") {
     Scene scene = evenly_lit();
-    const int picture = add_texture(scene, card());
+    const int picture = add(scene.textures, card());
     // Oblique, and turned in its plane.
     const vec3 corner{-2, 1, -4}, u{3, 0.5f, 1}, v{-0.7f, 2, 0.4f};
-    scene.quads = {{corner, u, v, add(scene, Textured{picture})}};
+    scene.quads = {{corner, u, v, add(scene.materials, Textured{picture})}};
     prepare(scene);
     for (int y = 0; y < 2; ++y) {
         for (int x = 0; x < 3; ++x) {
@@ -54,7 +54,7 @@ TEST_CASE("a picture on a mesh follows the uv of the corners") {
     file.textures = {bitmap};
     file.material_list = {{.name = "card", .diffuse = vec3(1), .texture = 0}};
     Scene scene = evenly_lit();
-    add(scene, file, 40);
+    add_model(scene, file, 40);
     prepare(scene);
     const Texture texture = make_texture(bitmap);
     for (int i = 0; i < 29; ++i) {
@@ -72,10 +72,11 @@ TEST_CASE("a picture on a mesh follows the uv of the corners") {
 
 TEST_CASE("a lit picture reflects albedo / pi of what arrives, and shines by itself where it is told to") {
     Scene scene;
-    const int picture = add_texture(scene, texture_of(1, 1, {{0.8f, 0.4f, 0.2f}}));
-    scene.planes = {{{0, 0, 0},
-                     {0, 0, 1},
-                     add(scene, Textured{.texture = picture, .tint = {0.5f, 1, 1}, .emission = {0, 0, 3}})}};
+    const int picture = add(scene.textures, texture_of(1, 1, {{0.8f, 0.4f, 0.2f}}));
+    scene.planes = {
+        {{0, 0, 0},
+         {0, 0, 1},
+         add(scene.materials, Textured{.texture = picture, .tint = {0.5f, 1, 1}, .emission = {0, 0, 3}})}};
     scene.lights = {{{0, 0, 2}, vec3(pi)}};
     prepare(scene);
     CHECK(radiance(scene, Ray{{0.5f, 0, 1}, {-0.5f, 0, -1}}, 2) == approx(vec3(0.1f, 0.1f, 0.05f + 3)));
@@ -84,9 +85,9 @@ TEST_CASE("a lit picture reflects albedo / pi of what arrives, and shines by its
 TEST_CASE("a reflective coat lies over a picture as over any other material") {
     Scene scene;
     scene.sky = {vec3(0.2f), vec3(1)};
-    const int base = add(scene, Textured{add_texture(scene, card()), vec3(1)});
-    const int mirror = add(scene, Mirror{});
-    const int coat = add(scene, Reflective{0.3f, base});
+    const int base = add(scene.materials, Textured{add(scene.textures, card()), vec3(1)});
+    const int mirror = add(scene.materials, Mirror{});
+    const int coat = add(scene.materials, Reflective{0.3f, base});
     const auto seen = [&](int material) {
         scene.spheres = {{{0, 0, 0}, 2, material}};
         prepare(scene);
@@ -99,7 +100,8 @@ TEST_CASE("a checker of .8 and .15 seen from far away averages .475") {
     // 400 x 400 rays over some 3,000 squares: the mean of a fair coin between .8 and .15 has a standard error
     // of .325 / 400 = .0008 (less, since the rays are spread evenly). |z| < 4: one false alarm in 16,000.
     Scene scene = evenly_lit();
-    scene.planes = {{{0.3f, 0, 0.2f}, {0, 1, 0}, add(scene, Checker{vec3(0.8f), vec3(0.15f), 0.37f})}};
+    scene.planes = {
+        {{0.3f, 0, 0.2f}, {0, 1, 0}, add(scene.materials, Checker{vec3(0.8f), vec3(0.15f), 0.37f})}};
     prepare(scene);
     Random random(72);
     Mean mean;
@@ -117,10 +119,11 @@ TEST_CASE("a checker of .8 and .15 seen from far away averages .475") {
 TEST_CASE("a texture of .8 and .15 seen from far away averages .475 too") {
     Scene scene = evenly_lit();
     const Texture squares = texture_of(2, 2, {vec3(0.8f), vec3(0.15f), vec3(0.15f), vec3(0.8f)});
-    scene.quads = {{{-10, 0, 10},
-                    {20, 0, 0},
-                    {0, 0, -20},
-                    add(scene, Textured{.texture = add_texture(scene, squares), .repeat = vec2(31)})}};
+    scene.quads = {
+        {{-10, 0, 10},
+         {20, 0, 0},
+         {0, 0, -20},
+         add(scene.materials, Textured{.texture = add(scene.textures, squares), .repeat = vec2(31)})}};
     prepare(scene);
     Random random(73);
     Mean mean;
@@ -135,12 +138,12 @@ TEST_CASE("a texture of .8 and .15 seen from far away averages .475 too") {
 TEST_CASE("tinted glass, mirrors and depth work among textures as they did in step 04") {
     const vec3 absorption{0.1f, 0.35f, 0.8f};
     Scene scene = evenly_lit();
-    scene.spheres = {{{1, 2, 3}, 2, add(scene, Glass{{1, absorption}})},
-                     {{1, 2, 3}, 0.5f, add(scene, Mirror{{0.5f, 0.6f, 0.7f}})}};
+    scene.spheres = {{{1, 2, 3}, 2, add(scene.materials, Glass{{1, absorption}})},
+                     {{1, 2, 3}, 0.5f, add(scene.materials, Mirror{{0.5f, 0.6f, 0.7f}})}};
     prepare(scene);
     const Ray ray{{1, 2, 9}, {0, 0, -2}};
     CHECK(radiance(scene, ray, 5) == approx(vec3(0.5f, 0.6f, 0.7f) * exp(-absorption * 3.0f), 1e-4f));
-    scene.spheres[0].material = add(scene, Glass{{1.5f}});
+    scene.spheres[0].material = add(scene.materials, Glass{{1.5f}});
     scene.spheres.pop_back();
     prepare(scene);
     CHECK(radiance(scene, ray, 1) == approx(vec3(0.04f)));

@@ -61,9 +61,9 @@ TEST_CASE("one mesh carries several materials and several textures") {
     folder.write("model.obj", obj);
 
     Scene scene = evenly_lit();
-    add_texture(scene, card()); // something is in the scene before the model
-    add(scene, Diffuse{vec3(0.01f)});
-    add(scene, read_obj(folder.file("model.obj")), 40);
+    add(scene.textures, card()); // something is in the scene before the model
+    add(scene.materials, Diffuse{vec3(0.01f)});
+    add_model(scene, read_obj(folder.file("model.obj")), 40);
     prepare(scene);
     CHECK_MESSAGE(scene.textures.size() == 3, "each picture is loaded once");
     const auto seen = [&](int i) { return seen_at(scene, float(2 * i) + 0.3f, 0.3f); };
@@ -86,7 +86,7 @@ TEST_CASE("two models keep their own textures") {
         folder.write(name + ".mtl", "newmtl a\nmap_Kd " + name + ".png\n");
         folder.write(name + ".obj", "mtllib " + name + ".mtl\nusemtl a\nv " + x + " 0 0\nv " +
                                         std::to_string(2 * i + 1) + " 0 0\nv " + x + " 1 0\nf 1 2 3\n");
-        add(scene, read_obj(folder.file(name + ".obj")), 40);
+        add_model(scene, read_obj(folder.file(name + ".obj")), 40);
     }
     prepare(scene);
     for (int i = 0; i < 3; ++i) {
@@ -102,7 +102,7 @@ TEST_CASE("a texture that is missing shows as a magenta checker") {
     folder.write("model.obj", "mtllib model.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
                               "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n");
     Scene scene = evenly_lit();
-    add(scene, read_obj(folder.file("model.obj")), 40); // it says so on stderr
+    add_model(scene, read_obj(folder.file("model.obj")), 40); // it says so on stderr
     prepare(scene);
     int magenta = 0, black = 0;
     for (int i = 0; i < 900; ++i) {
@@ -126,7 +126,7 @@ TEST_CASE("a picture from a file lies upright on a mesh") {
     folder.write("model.obj", "mtllib model.mtl\nusemtl a\nv 0 0 0\nv 3 0 0\nv 3 2 0\nv 0 2 0\n"
                               "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n");
     Scene scene = evenly_lit();
-    add(scene, read_obj(folder.file("model.obj")), 40);
+    add_model(scene, read_obj(folder.file("model.obj")), 40);
     prepare(scene);
     CHECK_MESSAGE(seen_at(scene, 0.5f, 1.5f) == approx(red, 6e-3f), "grey: upside down; blue: mirrored");
     CHECK(seen_at(scene, 2.5f, 1.5f) == approx(blue, 6e-3f));
@@ -137,7 +137,7 @@ TEST_CASE("a picture from a file lies upright on a mesh") {
 TEST_CASE("a glass model stays glass, and a tree changes nothing about textured shapes") {
     Scene scene = evenly_lit();
     const auto material = [&](const ObjMaterial& m) {
-        return scene.materials[std::size_t(add(scene, m, 0))];
+        return scene.materials[std::size_t(add_material(scene, m, 0))];
     };
     CHECK(std::get<Glass>(material({.ior = 1.33f, .glass = true})).inside.ior == 1.33f);
     CHECK(std::get<Diffuse>(material({.diffuse = {0.8f, 0.4f, 0.2f}, .emission = {1, 2, 3}})).emission ==
@@ -149,7 +149,7 @@ TEST_CASE("a glass model stays glass, and a tree changes nothing about textured 
     CHECK(lamp.emission == vec3(1, 2, 3));
     CHECK(lamp.repeat == vec2(1));
 
-    const int picture = add(scene, Textured{add_texture(scene, card())});
+    const int picture = add(scene.materials, Textured{add(scene.textures, card())});
     Random random(74);
     for (int i = 0; i < 60; ++i) {
         const vec2 p = random.uniform2();

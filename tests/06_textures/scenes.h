@@ -1,7 +1,7 @@
 // Scenes for the checks of step 06: evenly lit, and seen from above.
 #pragma once
 
-#include "06_textures/radiance.h"
+#include "04_refraction/radiance.h"
 #include "06_textures/scene.h"
 #include "tests/06_textures/step.h"
 
@@ -12,11 +12,6 @@ inline Scene evenly_lit() {
     Scene scene;
     scene.sky = {vec3(1), vec3(1)};
     return scene;
-}
-
-inline int add_texture(Scene& scene, const Texture& texture) {
-    scene.textures.push_back(texture);
-    return int(scene.textures.size()) - 1;
 }
 
 /// What the eye sees of the scene from straight above at (x, y), with z up.

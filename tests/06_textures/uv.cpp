@@ -1,5 +1,5 @@
 // Facts about where on a sphere each uv lies, and about the checker that goes by it.
-#include "01_spheres/diffuse.h"
+#include "01_spheres/checkerboard.h"
 #include "01_spheres/sphere.h"
 #include "tests/check.h"
 

@@ -17,8 +17,8 @@ Scene ball(vec3 albedo, Accel accel, bool lamps) {
     if (lamps) scene.lights = {{{1.5f, 0.3f, 0.2f}, vec3(9)}};
     ObjFile file = icosphere(1);
     file.material_list[0].diffuse = albedo;
-    add(scene, file, 180);
-    if (lamps) scene.quads = {{{-2, 1.2f, -2}, {4, 0.1f, 0}, {0, 0, 4}, add(scene, flat(vec3(5)))}};
+    add_model(scene, file, 180);
+    if (lamps) scene.quads = {{{-2, 1.2f, -2}, {4, 0.1f, 0}, {0, 0, 4}, add(scene.materials, flat(vec3(5)))}};
     prepare(scene);
     return scene;
 }

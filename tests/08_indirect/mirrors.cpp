@@ -17,7 +17,7 @@ TEST_CASE("in a white world a metal shows its albedo, less what its fuzz loses")
     for (const float fuzz : {0.0f, 0.3f, 1.0f}) {
         Scene scene;
         scene.sky = {vec3(1), vec3(1)};
-        scene.quads = {{{-1, -1, -4}, {2, 0, 0}, {0, 2, 0}, add(scene, Metal{vec3(0.8f), fuzz})}};
+        scene.quads = {{{-1, -1, -4}, {2, 0, 0}, {0, 2, 0}, add(scene.materials, Metal{vec3(0.8f), fuzz})}};
         const float cosine = 0.25f;
         const vec3 direction(0, std::sqrt(1 - cosine * cosine), -cosine);
         const Mean mean =
@@ -32,9 +32,9 @@ TEST_CASE("a coat of reflectivity k shows k of the mirror and 1 - k of what lies
     for (const float k : {0.0f, 0.3f, 0.85f, 1.0f}) {
         Scene once;
         once.sky = {vec3(1), vec3(1)};
-        const int base = add(once, Diffuse{vec3(0.4f), vec3(2)});
-        const int coat = add(once, Reflective{k, base, vec3(0.9f)});
-        const int second = add(once, Reflective{0.5f, coat, vec3(0.6f)});
+        const int base = add(once.materials, Diffuse{vec3(0.4f), vec3(2)});
+        const int coat = add(once.materials, Reflective{k, base, vec3(0.9f)});
+        const int second = add(once.materials, Reflective{0.5f, coat, vec3(0.6f)});
         Scene twice = once;
         once.quads = {{{-1, -1, -4}, {2, 0, 0.5f}, {0, 2, 0}, coat}};
         twice.quads = {{{-1, -1, -4}, {2, 0, 0.5f}, {0, 2, 0}, second}};
@@ -58,8 +58,8 @@ TEST_CASE("a coat of reflectivity k shows k of the mirror and 1 - k of what lies
 TEST_CASE("a coated lamp lights its surroundings as if it were 1 - k as bright") {
     for (const Direct direct : all_ways) {
         Scene scene;
-        const int floor = add(scene, Diffuse{vec3(0.6f)});
-        const int coat = add(scene, Reflective{0.25f, add(scene, flat(vec3(8)))});
+        const int floor = add(scene.materials, Diffuse{vec3(0.6f)});
+        const int coat = add(scene.materials, Reflective{0.25f, add(scene.materials, flat(vec3(8)))});
         scene.planes = {{{0, 0, 0}, {0, 1, 0}, floor}};
         scene.quads = {{{-0.5f, 2, -1}, {1, 0.2f, 0}, {0, 0, 2}, coat}};
         // The mirror's half of a bounce goes to the sky, which is black, or past the lamp to the floor.
@@ -76,7 +76,7 @@ TEST_CASE("the depth counts mirrors: k of them leave s^k, and one fewer leaves n
     // Two facing mirrors one metre apart; the ray climbs by a metre between two bounces and leaves after
     // three.
     Scene scene;
-    const int mirror = add(scene, Mirror{{0.9f, 0.5f, 1}});
+    const int mirror = add(scene.materials, Mirror{{0.9f, 0.5f, 1}});
     scene.quads = {{{0, 0, -5}, {0, 3.2f, 0}, {0, 0, 10}, mirror},
                    {{1, 0, -5}, {0, 3.2f, 0}, {0, 0, 10}, mirror}};
     scene.sky = {vec3(2), vec3(2)};
@@ -103,10 +103,10 @@ TEST_CASE("a mirror on the wall doubles a lamp: its caustic is neither lost nor 
     // The mirror wall x = -1 shows the lamp once more, with its tint, at x -> -2 - x.
     for (const Direct direct : all_ways) {
         Scene scene;
-        const int floor = add(scene, Diffuse{vec3(0.6f)});
-        const int wall = add(scene, Mirror{vec3(0.7f)});
+        const int floor = add(scene.materials, Diffuse{vec3(0.6f)});
+        const int wall = add(scene.materials, Mirror{vec3(0.7f)});
         scene.planes = {{{0, 0, 0}, {0, 1, 0}, floor}, {{-1, 0, 0}, {1, 0, 0}, wall}};
-        const Quad lamp{{0.5f, 1, -1}, {0.4f, 0.8f, 0}, {0.1f, 0, 2}, add(scene, flat(vec3(5)))};
+        const Quad lamp{{0.5f, 1, -1}, {0.4f, 0.8f, 0}, {0.1f, 0, 2}, add(scene.materials, flat(vec3(5)))};
         scene.quads = {lamp};
         const vec3 position(-0.3f, 0, 0.2f), up(0, 1, 0);
         std::vector<vec3> image = corners_of(lamp);

@@ -18,7 +18,7 @@ namespace {
 /// sampling has no noise: cos cos' / r^2 is the same for all pairs of points.
 Scene ball_room(vec3 albedo, vec3 emission) {
     Scene scene;
-    scene.spheres = {{{1, -0.5f, 3}, 2, add(scene, Diffuse{albedo, emission})}};
+    scene.spheres = {{{1, -0.5f, 3}, 2, add(scene.materials, Diffuse{albedo, emission})}};
     prepare(scene);
     return scene;
 }
@@ -84,7 +84,7 @@ TEST_CASE("without indirect light a furnace reads its own light and one bounce")
 TEST_CASE("a white ball in a white world cannot be seen") {
     Scene scene;
     scene.sky = {vec3(0.5f, 1, 2), vec3(0.5f, 1, 2)};
-    scene.spheres = {{{1, 2, -3}, 2, add(scene, Diffuse{vec3(1)})}};
+    scene.spheres = {{{1, 2, -3}, 2, add(scene.materials, Diffuse{vec3(1)})}};
     prepare(scene);
     Random random(31);
     for (int i = 0; i < 2000; ++i) {
@@ -101,11 +101,11 @@ TEST_CASE("a white ball in a white world cannot be seen") {
 TEST_CASE("nothing that is white, mirroring or clear can be seen in a white world") {
     Scene scene;
     scene.sky = {vec3(1), vec3(1)};
-    const int white = add(scene, Diffuse{vec3(1)});
-    const int glass = add(scene, Glass{{1.5f}});
-    const int mirror = add(scene, Mirror{});
-    const int coat = add(scene, Reflective{0.4f, white});
-    const int bubble = add(scene, Glass{{1.0f}, {1.5f}});
+    const int white = add(scene.materials, Diffuse{vec3(1)});
+    const int glass = add(scene.materials, Glass{{1.5f}});
+    const int mirror = add(scene.materials, Mirror{});
+    const int coat = add(scene.materials, Reflective{0.4f, white});
+    const int bubble = add(scene.materials, Glass{{1.0f}, {1.5f}});
     scene.planes = {{{0, 0, 0}, normalize(vec3(0.1f, 1, 0.2f)), white}};
     scene.spheres = {{{0, 2, 0}, 1, glass},
                      {{0.2f, 2.1f, 0.1f}, 0.4f, bubble},
@@ -128,7 +128,7 @@ TEST_CASE("nothing that is white, mirroring or clear can be seen in a white worl
 TEST_CASE("the sky L = cos theta comes back from the ground as 2 rho / 3") {
     Scene scene;
     scene.sky = {vec3(-1), vec3(1)}; // L = y
-    scene.planes = {{{0, -1, 0}, {0, 1, 0}, add(scene, Diffuse{vec3(0.6f)})}};
+    scene.planes = {{{0, -1, 0}, {0, 1, 0}, add(scene.materials, Diffuse{vec3(0.6f)})}};
     for (const bool with_roulette : {false, true}) {
         const Mean mean = seen(scene, {.depth = 3, .roulette = with_roulette}, {{0, 1, 0}, {1, -1, 2}});
         INFO(mean.against(0.4) << "; .3 rho / .6: uniform directions with the density of cosine ones");
@@ -142,7 +142,7 @@ TEST_CASE("slopes receive of a graded sky what is in front of them") {
                               vec3(1, 0, 0), normalize(vec3(0.1f, -1, 0.1f))}) {
         Scene scene;
         scene.sky = {vec3(0.2f), vec3(3)};
-        scene.planes = {{{1, 2, 3}, normal, add(scene, Diffuse{vec3(0.7f)})}};
+        scene.planes = {{{1, 2, 3}, normal, add(scene.materials, Diffuse{vec3(0.7f)})}};
         const vec3 along = normalize(cross(normal, vec3(0.3f, 0.5f, 0.1f)));
         const Mean mean = seen(scene, {.depth = 2}, {vec3(1, 2, 3) + 2.0f * normal + along, -normal - along});
         const double want = 0.7 * (0.2 + (3 - 0.2) * (0.5 + double(normal.y) / 3));
@@ -153,7 +153,7 @@ TEST_CASE("slopes receive of a graded sky what is in front of them") {
 
 TEST_CASE("a lamp is as bright as its emission, with its own reflection of other light on top") {
     Scene scene;
-    scene.quads = {{{-1, -1, -4}, {2, 0, 0.5f}, {0, 2, 0}, add(scene, flat(vec3(17, 12, 7)))}};
+    scene.quads = {{{-1, -1, -4}, {2, 0, 0.5f}, {0, 2, 0}, add(scene.materials, flat(vec3(17, 12, 7)))}};
     prepare(scene);
     for (const Direct direct : all_ways)
         for (const int depth : {0, 1, 5}) {
@@ -167,9 +167,9 @@ TEST_CASE("a lamp is as bright as its emission, with its own reflection of other
 
 TEST_CASE("point lights light the first surface as they do in step 02") {
     Scene scene;
-    const int floor = add(scene, Diffuse{{0.8f, 0.4f, 0.2f}});
-    const int ball = add(scene, Diffuse{{0.3f, 0.5f, 0.7f}});
-    const int tiles = add(scene, Checker{vec3(0.7f), {0.2f, 0.1f, 0.3f}, 0.8f});
+    const int floor = add(scene.materials, Diffuse{{0.8f, 0.4f, 0.2f}});
+    const int ball = add(scene.materials, Diffuse{{0.3f, 0.5f, 0.7f}});
+    const int tiles = add(scene.materials, Checker{vec3(0.7f), {0.2f, 0.1f, 0.3f}, 0.8f});
     scene.planes = {{{0, 0, 0}, normalize(vec3(0.1f, 1, 0.2f)), floor}, {{0, 0, -6}, {0, 0, 1}, tiles}};
     scene.spheres = {{{0, 1, 0}, 0.8f, ball}, {{2, 1.5f, -1}, 0.5f, ball}};
     scene.lights = {{{3, 4, 2}, {50, 40, 30}}, {{-4, 2, 1}, {5, 10, 20}}};
@@ -197,11 +197,12 @@ TEST_CASE("pictures and tiles give the walk their albedo, pictures their light t
     // In a white world a flat thing alone shows its albedo, whatever way the bounce goes.
     Scene scene;
     scene.sky = {vec3(1), vec3(1)};
-    const int picture = add(scene, Bitmap{1, 1, {65535, 32896, 13107}}); // 255, 128 and 51 of 255
-    const int textured = add(scene, Textured{picture, vec3(0.5f), vec3(3, 0, 1)});
+    const int picture =
+        add(scene.textures, make_texture(Bitmap{1, 1, {65535, 32896, 13107}})); // 255, 128 and 51 of 255
+    const int textured = add(scene.materials, Textured{picture, vec3(0.5f), vec3(3, 0, 1)});
     const Checker checker{vec3(0.7f), {0.2f, 0.1f, 0.3f}, 0.8f};
     Scene tiled = scene;
-    tiled.planes = {{{0, -2, 0}, {0, 1, 0}, add(tiled, checker)}};
+    tiled.planes = {{{0, -2, 0}, {0, 1, 0}, add(tiled.materials, checker)}};
     scene.quads = {{{-1, -1, -4}, {2, 0, 0.5f}, {0, 2, 0}, textured}};
     prepare(scene);
     prepare(tiled);

@@ -13,9 +13,9 @@ using namespace rt;
 
 TEST_CASE("add answers the number of the material") {
     Scene scene;
-    CHECK(add(scene, Diffuse{vec3(0.1f)}) == 0);
-    CHECK(add(scene, Checker{vec3(0.1f), vec3(0.2f)}) == 1);
-    CHECK(add(scene, flat(vec3(1))) == 2);
+    CHECK(add(scene.materials, Diffuse{vec3(0.1f)}) == 0);
+    CHECK(add(scene.materials, Checker{vec3(0.1f), vec3(0.2f)}) == 1);
+    CHECK(add(scene.materials, flat(vec3(1))) == 2);
     REQUIRE(scene.materials.size() == 3);
     CHECK(std::holds_alternative<Checker>(scene.materials[1]));
 }

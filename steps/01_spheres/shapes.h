@@ -1,0 +1,39 @@
+// What a ray can hit, one vector per kind of shape, and which of them it hits first.
+#pragma once
+
+#include "01_spheres/plane.h"
+#include "01_spheres/sphere.h"
+#include "common/util/match.h"
+#include "common/util/tally.h"
+
+#include <variant>
+#include <vector>
+
+namespace rt {
+
+struct Shapes {
+    std::vector<Sphere> spheres;
+    std::vector<Plane> planes;
+};
+
+/// What the ray meets first. Each hit shortens the ray, so the last one found is the nearest; only that one
+/// is worked out in full.
+inline std::optional<Hit> intersect(const Shapes& shapes, Ray ray) {
+    ++tally.rays;
+    std::variant<std::monostate, const Sphere*, const Plane*> nearest;
+    //> try every shape; what hits becomes the nearest and shortens the ray
+    const auto test = [&](const auto& shape) {
+        if (const auto t = intersect(shape, ray)) {
+            ray.t_max = *t;
+            nearest = &shape;
+        }
+    };
+    for (const Sphere& sphere : shapes.spheres) test(sphere);
+    for (const Plane& plane : shapes.planes) test(plane);
+    //<
+    return match(
+        nearest, [](std::monostate) { return std::optional<Hit>(); },
+        [&](const auto* shape) { return std::optional(surface(*shape, ray)); });
+}
+
+} // namespace rt

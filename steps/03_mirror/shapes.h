@@ -1,0 +1,53 @@
+// What a ray can hit, one vector per kind of shape: which of them it hits first, and whether any is in its way.
+#pragma once
+
+#include "01_spheres/plane.h"
+#include "01_spheres/sphere.h"
+#include "03_mirror/quad.h"
+#include "common/util/match.h"
+#include "common/util/tally.h"
+
+#include <algorithm>
+#include <variant>
+#include <vector>
+
+namespace rt {
+
+struct Shapes {
+    std::vector<Sphere> spheres;
+    std::vector<Plane> planes;
+    std::vector<Quad> quads;
+};
+
+/// What the ray meets first. Each hit shortens the ray, so the last one found is the nearest; only that one
+/// is worked out in full.
+inline std::optional<Hit> intersect(const Shapes& shapes, Ray ray) {
+    ++tally.rays;
+    std::variant<std::monostate, const Sphere*, const Plane*, const Quad*> nearest;
+    //> try every shape; what hits becomes the nearest and shortens the ray
+    const auto test = [&](const auto& shape) {
+        if (const auto t = intersect(shape, ray)) {
+            ray.t_max = *t;
+            nearest = &shape;
+        }
+    };
+    for (const Sphere& sphere : shapes.spheres) test(sphere);
+    for (const Plane& plane : shapes.planes) test(plane);
+    for (const Quad& quad : shapes.quads) test(quad);
+    //<
+    return match(
+        nearest, [](std::monostate) { return std::optional<Hit>(); },
+        [&](const auto* shape) { return std::optional(surface(*shape, ray)); });
+}
+
+/// Whether anything at all stands in the ray's interval: the first shape that does ends the search.
+inline bool occluded(const Shapes& shapes, const Ray& ray) {
+    ++tally.rays;
+    //> true as soon as one shape is hit, whichever it is
+    const auto hit = [&](const auto& shape) { return intersect(shape, ray).has_value(); };
+    return std::ranges::any_of(shapes.spheres, hit) || std::ranges::any_of(shapes.planes, hit) ||
+           std::ranges::any_of(shapes.quads, hit);
+    //< return false;
+}
+
+} // namespace rt
