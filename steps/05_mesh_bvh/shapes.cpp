@@ -12,17 +12,17 @@ namespace rt {
 namespace {
 
 /// A quad as two triangles, so that the wide tree need not know it: `half` is 0 or 1.
-std::array<vec3, 3> half_of(const Quad& quad, std::size_t half) {
+std::array<vec3, 3> quad_triangle(const Quad& quad, std::size_t half) {
     const vec3 opposite = quad.corner + quad.edge_u + quad.edge_v;
     if (half == 0) return {quad.corner, quad.corner + quad.edge_u, opposite};
     return {quad.corner, opposite, quad.corner + quad.edge_v};
 }
 
 /// Triangle number i of the wide tree.
-std::array<vec3, 3> wide_corners(const Shapes& shapes, std::uint32_t i) {
+std::array<vec3, 3> wide_vertices(const Shapes& shapes, std::uint32_t i) {
     const std::size_t triangles = shapes.mesh.triangles.size();
-    if (i < triangles) return corners(shapes.mesh, i);
-    return half_of(shapes.quads[(i - triangles) / 2], (i - triangles) % 2);
+    if (i < triangles) return vertices(shapes.mesh, i);
+    return quad_triangle(shapes.quads[(i - triangles) / 2], (i - triangles) % 2);
 }
 
 void build_wide_trees(Shapes& shapes) {
@@ -31,24 +31,24 @@ void build_wide_trees(Shapes& shapes) {
         [&](SphereBlock& block, int lane, std::uint32_t i) { put(block, lane, shapes.spheres[i], i); });
     shapes.wide_triangles = build_wide_bvh<TriangleBlock>(
         shapes.mesh.triangles.size() + 2 * shapes.quads.size(),
-        [&](std::uint32_t i) { return bounds(wide_corners(shapes, i)); },
+        [&](std::uint32_t i) { return bounds(wide_vertices(shapes, i)); },
         [&](TriangleBlock& block, int lane, std::uint32_t i) {
-            put(block, lane, wide_corners(shapes, i), i);
+            put(block, lane, wide_vertices(shapes, i), i);
         });
 }
 
 void build_binary_trees(Shapes& shapes) {
-    std::vector<Box> boxes;
+    std::vector<Aabb> boxes;
     for (const Sphere& sphere : shapes.spheres) boxes.push_back(bounds(sphere));
-    shapes.sphere_tree = build_bvh(boxes);
+    shapes.sphere_bvh = build_bvh(boxes);
     boxes.clear();
     for (std::uint32_t i = 0; i < shapes.mesh.triangles.size(); ++i) boxes.push_back(bounds(shapes.mesh, i));
-    shapes.triangle_tree = build_bvh(boxes);
+    shapes.triangle_bvh = build_bvh(boxes);
 }
 
 } // namespace
 
-void prepare(Shapes& shapes) {
+void build_bvhs(Shapes& shapes) {
     if (shapes.accel == Accel::bvh) build_binary_trees(shapes);
     if (shapes.accel == Accel::wide) build_wide_trees(shapes);
 }

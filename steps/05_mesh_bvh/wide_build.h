@@ -19,7 +19,7 @@ namespace rt {
 /// A node of the binary tree; a leaf has no children. If it becomes a child of a wide node, it and all below
 /// it become `nodes` wide nodes and `leaves` blocks.
 struct alignas(64) BinaryNode {
-    Box box;
+    Aabb box;
     BinaryNode* children = nullptr;     ///< two, side by side
     std::uint32_t first = 0, count = 0; ///< if its shapes fit into one block, their place in the order of all
     std::uint32_t nodes = 0, leaves = 1;
@@ -208,10 +208,10 @@ struct Children {
 inline WideNode node_around(const Children& children) {
     WideNode wide{};
     for (std::size_t lane = 0; lane < lanes; ++lane) {
-        const Box box = lane < children.count ? children.node[lane]->box : Box{};
+        const Aabb box = lane < children.count ? children.node[lane]->box : Aabb{};
         for (int axis = 0; axis < 3; ++axis) {
-            wide.planes[axis][0][lane] = box.low[axis];
-            wide.planes[axis][1][lane] = box.high[axis];
+            wide.planes[axis][0][lane] = box.min[axis];
+            wide.planes[axis][1][lane] = box.max[axis];
         }
     }
     return wide;

@@ -69,7 +69,7 @@ void prefetch(const WideBvh<Block>& bvh, std::uint32_t child) {
 struct WideRay {
     Row origin[3];
     Row inverse[3];     ///< 1 / direction; plus or minus infinity along an axis where the ray stands still
-    Row inverse_out[3]; ///< larger by four roundings: exits move out, as in entry() of box.h
+    Row inverse_out[3]; ///< larger by four roundings: exits move out, as in intersect() of aabb.h
     std::uintptr_t near[3];
     Row t_min;
 };
@@ -87,7 +87,7 @@ struct WideRay {
     return wide;
 }
 
-/// The slab test of box.h for a row of boxes: which ones the ray enters, and at which t. A plane in which the
+/// The slab test of aabb.h for a row of boxes: which ones the ray enters, and at which t. A plane in which the
 /// ray lies gives NaN, and the order of the operands lets the other number through.
 [[gnu::always_inline]] inline unsigned enter(const WideNode& node, const WideRay& ray, Row t_max, Row& t) {
     const auto plane = [](std::uintptr_t address) { return *reinterpret_cast<const Row*>(address); };

@@ -1,7 +1,7 @@
 // How a set of shapes is cut in two by the surface area heuristic, on all threads if it is large.
 #pragma once
 
-#include "05_mesh_bvh/box.h"
+#include "05_mesh_bvh/aabb.h"
 #include "common/util/parallel.h"
 #include "common/math/row.h"
 
@@ -40,9 +40,9 @@ struct Fragment {
     Four low, high;
 };
 
-inline Fragment fragment(const Box& box, std::uint32_t shape) {
+inline Fragment fragment(const Aabb& box, std::uint32_t shape) {
     const float number = std::bit_cast<float>(shape | 0x40000000);
-    return {Four{box.low.x, box.low.y, box.low.z, number}, Four{box.high.x, box.high.y, box.high.z, 0}};
+    return {Four{box.min.x, box.min.y, box.min.z, number}, Four{box.max.x, box.max.y, box.max.z, 0}};
 }
 
 inline std::uint32_t shape_of(const Fragment& fragment) {

@@ -16,7 +16,7 @@ struct alignas(WideNode) NumberBlock {
     int count = 0;
 };
 
-WideBvh<NumberBlock> tree_of(const std::vector<Box>& boxes) {
+WideBvh<NumberBlock> tree_of(const std::vector<Aabb>& boxes) {
     return build_wide_bvh<NumberBlock>(
         boxes.size(), [&](std::uint32_t i) { return boxes[i]; },
         [](NumberBlock& block, int lane, std::uint32_t i) {
@@ -25,44 +25,44 @@ WideBvh<NumberBlock> tree_of(const std::vector<Box>& boxes) {
         });
 }
 
-Box lane_box(const WideNode& node, std::size_t lane) {
-    Box box;
+Aabb lane_box(const WideNode& node, std::size_t lane) {
+    Aabb box;
     for (int axis = 0; axis < 3; ++axis) {
-        box.low[axis] = node.planes[axis][0][lane];
-        box.high[axis] = node.planes[axis][1][lane];
+        box.min[axis] = node.planes[axis][0][lane];
+        box.max[axis] = node.planes[axis][1][lane];
     }
     return box;
 }
 
-bool is_empty(const Box& box) {
-    return box.low.x > box.high.x;
+bool is_empty(const Aabb& box) {
+    return box.min.x > box.max.x;
 }
 
 /// What holds for every tree: each shape in one lane of one block, boxes around all below them.
-void check_wide_tree(const std::vector<Box>& boxes) {
+void check_wide_tree(const std::vector<Aabb>& boxes) {
     const auto tree = tree_of(boxes);
     std::vector<int> times(boxes.size());
     int too_small = 0, deepest = 0, single_child = 0;
-    const std::function<Box(std::uint32_t, int)> visit = [&](std::uint32_t child, int depth) {
+    const std::function<Aabb(std::uint32_t, int)> visit = [&](std::uint32_t child, int depth) {
         deepest = std::max(deepest, depth);
-        Box all;
+        Aabb all;
         if (is_block(child)) {
             const NumberBlock& block = block_at(tree, child);
             for (int i = 0; i < block.count; ++i) {
                 const std::uint32_t shape = block.shape[std::size_t(i)];
                 ++times[shape];
-                grow(all, boxes[shape]);
+                extend(all, boxes[shape]);
             }
             return all;
         }
         const WideNode& node = node_at(tree, child);
         int children = 0;
         for (std::size_t lane = 0; lane < lanes; ++lane) {
-            const Box box = lane_box(node, lane);
+            const Aabb box = lane_box(node, lane);
             if (is_empty(box)) continue;
             ++children;
             too_small += !encloses(box, visit(node.child[lane], depth + 1));
-            grow(all, box);
+            extend(all, box);
         }
         single_child += children < 2;
         return all;
@@ -87,17 +87,17 @@ TEST_CASE("every shape lies in one lane of the wide tree, and every box holds wh
     check_wide_tree(boxes_of(flat_grid(30)));
     check_wide_tree(boxes_of(icosphere(3)));
     for (int count = 1; count < 70; ++count) check_wide_tree(boxes_of(random_triangles(count, 0.5f, 100)));
-    check_wide_tree(std::vector<Box>(5000, Box{{1, 2, 3}, {4, 5, 6}}));
-    check_wide_tree(std::vector<Box>(300, Box{vec3(7), vec3(7)}));
+    check_wide_tree(std::vector<Aabb>(5000, Aabb{{1, 2, 3}, {4, 5, 6}}));
+    check_wide_tree(std::vector<Aabb>(300, Aabb{vec3(7), vec3(7)}));
 }
 
 TEST_CASE("the wide tree stays shallow where each cut splits off only a few, and at the ends of float") {
     check_wide_tree(exponential_chain(-60, 60, {1, 1, 1}));
     check_wide_tree(exponential_chain(-120, 120, {1, 0.5f, -0.3f}));
-    std::vector<Box> nested;
+    std::vector<Aabb> nested;
     for (int i = 1; i < 500; ++i) nested.push_back({vec3(-float(i)), vec3(float(i))});
     check_wide_tree(nested);
-    std::vector<Box> huge;
+    std::vector<Aabb> huge;
     for (int i = 0; i < 100; ++i) huge.push_back({vec3(-3e38f), vec3(3e38f) / float(i + 1)});
     check_wide_tree(huge);
 }
@@ -120,8 +120,8 @@ TEST_CASE("the wide tree is the same on one thread and on many") {
         const WideNode &node = node_at(one, child), &other = node_at(many, child);
         different += node.child != other.child;
         for (std::size_t lane = 0; lane < lanes; ++lane) {
-            const Box box = lane_box(node, lane), same = lane_box(other, lane);
-            different += box.low != same.low || box.high != same.high;
+            const Aabb box = lane_box(node, lane), same = lane_box(other, lane);
+            different += box.min != same.min || box.max != same.max;
             if (!is_empty(box)) visit(node.child[lane]);
         }
     };

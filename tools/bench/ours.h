@@ -26,7 +26,7 @@ inline Ours build_ours(const Mesh& mesh, int threads) {
     use_threads(threads);
     return build_wide_bvh<TriangleBlock>(
         mesh.triangles.size(), [&](std::uint32_t i) { return bounds(mesh, i); },
-        [&](TriangleBlock& block, int lane, std::uint32_t i) { put(block, lane, corners(mesh, i), i); });
+        [&](TriangleBlock& block, int lane, std::uint32_t i) { put(block, lane, vertices(mesh, i), i); });
 }
 
 inline Found nearest(const Ours& ours, Ray ray) {
@@ -50,7 +50,7 @@ inline bool any_hit(const Ours& ours, const Ray& ray) {
 inline Found brute_nearest(const Mesh& mesh, Ray ray) {
     Found found;
     for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-        const auto [a, b, c] = corners(mesh, i);
+        const auto [a, b, c] = vertices(mesh, i);
         if (const auto hit = intersect(a, b, c, ray)) {
             ray.t_max = hit->t;
             found = {hit->t, hit->u, hit->v, i};
