@@ -6,6 +6,7 @@
 #include "common/util/error.h"
 #include "common/util/file_bytes.h"
 #include "common/util/json.h"
+#include "common/util/version.h"
 #include "tools/tutor/catalogue.h"
 #include "tools/tutor/exercises.h"
 #include "tools/tutor/gallery.h"
@@ -383,6 +384,7 @@ bool prove(const Wishes& wishes) {
 } // namespace
 
 } // namespace rt
+    app.set_version_flag("--version", rt::version());
 
 int main(int argc, char** argv) {
     rt::Wishes wishes;

@@ -5,6 +5,7 @@
 #include "common/util/complain.h"
 #include "common/util/error.h"
 #include "common/util/file_bytes.h"
+#include "common/util/version.h"
 #include "tools/tutor/exercises.h"
 #include "tools/tutor/process.h"
 #include "tools/tutor/temporary.h"
@@ -188,6 +189,7 @@ int answer(const Wishes& wishes) {
     return report.all_is_true ? 0 : 1;
 }
 
+    app.set_version_flag("--version", rt::version());
 } // namespace
 
 int main(int argc, char** argv) {
