@@ -6,6 +6,7 @@
 #include "assets/teapot.h"
 #include "assets/test_card.h"
 #include "common/util/complain.h"
+#include "common/util/version.h"
 
 #include <CLI/CLI.hpp>
 
@@ -46,6 +47,7 @@ void make_all(const fs::path& folder) {
 int run(int argc, char** argv) {
     CLI::App app("Makes the models and pictures of the Raysteps scenes.");
     app.require_subcommand(1);
+    app.set_version_flag("--version", version());
     std::string out;
     int density = 6, triangles = 6000;
 

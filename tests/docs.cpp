@@ -184,6 +184,8 @@ TEST_CASE("A page counts as changed if its commands do, or steps that it can use
     write("learn", "a script");
     write("steps/01_a/a.h", "1");
     write("steps/02_b/b.h", "2");
+    write("docs/01_a.md", "Prose.\n");
+    CHECK(page_key(root, "docs/01_a.md") == ""); // nothing is run
     write("docs/01_a.md", "Prose.\n```sh\n./learn run 01\n```\n");
     const std::string key = page_key(root, "docs/01_a.md");
     write("docs/01_a.md", "Other prose.\n\n```sh\n./learn run 01\n```\n");
@@ -196,7 +198,12 @@ TEST_CASE("A page counts as changed if its commands do, or steps that it can use
     CHECK(page_key(root, "docs/01_a.md") != key);
     write("docs/01_a.md", "Prose.\n```sh\n./learn run 01\n```\n");
     CHECK(page_key(root, "docs/01_a.md") == key);
+    write("steps/01_a/a.h", "// Words.\n1 // the same");
+    CHECK(page_key(root, "docs/01_a.md") == key);
     write("steps/01_a/a.h", "4");
+    CHECK(page_key(root, "docs/01_a.md") != key);
+    write("steps/01_a/a.h", "1");
+    write("steps/01_a/program/main.cpp", "5");
     CHECK(page_key(root, "docs/01_a.md") != key);
 }
 

@@ -1,6 +1,7 @@
 // contact_sheet OUT.png A.png B.png ...: many pictures on one sheet, each with its name under it.
 #include "common/util/complain.h"
 #include "common/util/error.h"
+#include "common/util/version.h"
 #include "common/image/image_file.h"
 
 #include <algorithm>
@@ -130,6 +131,10 @@ Image contact_sheet(const std::vector<std::string>& paths) {
 
 int main(int argc, char** argv) {
     const std::vector<std::string> arguments(argv + 1, argv + argc);
+    if (arguments == std::vector<std::string>{"--version"}) {
+        std::cout << rt::version() << "\n";
+        return 0;
+    }
     if (arguments.size() < 2 || arguments[0] == "--help") {
         rt::print_error_line("usage: contact_sheet OUT.png A.png B.png ...");
         return arguments.size() == 1 ? 0 : 2;

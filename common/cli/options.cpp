@@ -4,6 +4,7 @@
 #include "common/cli/options.h"
 
 #include "common/util/error.h"
+#include "common/util/version.h"
 #include "common/image/image_file.h"
 
 #include <CLI/CLI.hpp>
@@ -297,6 +298,7 @@ struct Options::Parser {
     std::string question;
     RenderSettings picture;
     bool help_asked = false;
+    bool version_asked = false;
     CLI::App app;
     Group own{"This step's knobs", {}};
     Group standard{"RenderSettings", {}};
@@ -329,7 +331,7 @@ struct Options::Parser {
 
 // A name that is taken is a mistake in main.cpp, not in what was typed.
 void Options::Parser::add(Group& group, Knob knob) {
-    if (find(knob.name) || knob.name == "help")
+    if (find(knob.name) || knob.name == "help" || knob.name == "version")
         throw std::logic_error("two knobs are called " + knob.dashed());
     if (knob.metavar.empty())
         knob.option = app.add_flag(knob.dashed());
@@ -427,7 +429,7 @@ std::string Options::Parser::help() const {
         text += "\n" + group->title + "\n";
         for (const Knob& knob : group->knobs) text += help_entry(knob);
     }
-    return text + "  --help                 print this\n";
+    return text + "  --help                 print this\n  --version              print the version\n";
 }
 
 Options::Options(std::string name, std::string question, RenderSettings picture)
@@ -440,6 +442,7 @@ Options::Options(std::string name, std::string question, RenderSettings picture)
     parser->app.allow_windows_style_options(false);
     parser->app.set_help_flag();
     parser->app.add_flag("-h,--help", parser->help_asked);
+    parser->app.add_flag("--version", parser->version_asked);
     parser->add_standard();
     parser->add_output();
 }
@@ -519,6 +522,10 @@ bool Options::parse(int argc, const char* const* argv) {
                                 : std::vector<std::string>());
     if (parser->help_asked) {
         std::cout << parser->help() << std::flush;
+        return false;
+    }
+    if (parser->version_asked) {
+        std::cout << version() << std::endl;
         return false;
     }
     for (const Group* group : {&parser->own, &parser->standard, &parser->output}) parser->read_all(*group);

@@ -52,8 +52,8 @@ class Options {
     /// True if the user typed this knob, so that a default may depend on the scene.
     bool given(const std::string& name) const;
 
-    /// Throws Error with one line that says what is wrong and what would be right. Answers false after
-    /// --help, when all is said and the program should end well.
+    /// Throws Error with one line that says what is wrong and what would be right. Returns false after
+    /// --help and --version, when all is said and the program should end well.
     bool parse(int argc, const char* const* argv);
 
     const RenderSettings& picture() const;

@@ -3,6 +3,7 @@
 #include "common/util/complain.h"
 #include "common/util/error.h"
 #include "common/util/file_bytes.h"
+#include "common/util/version.h"
 #include "common/image/image_file.h"
 
 #include <CLI/CLI.hpp>
@@ -71,6 +72,7 @@ int main(int argc, char** argv) {
     Command command;
     CLI::App app("Is A the same picture as the reference B? Exit code: 0 same, 1 different, 2 an error.",
                  "compare");
+    app.set_version_flag("--version", rt::version());
     declare(app, command);
     try {
         app.parse(argc, argv);
@@ -78,7 +80,7 @@ int main(int argc, char** argv) {
         const rt::Judgement judgement = answer(command);
         report(command, judgement);
         return rt::is_same(judgement.finding) ? 0 : 1;
-    } catch (const CLI::CallForHelp& help) {
+    } catch (const CLI::Success& help) {
         return app.exit(help);
     } catch (const std::exception& problem) {
         return rt::complain("compare", problem.what());

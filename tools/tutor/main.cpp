@@ -5,6 +5,7 @@
 #include "tools/tutor/watch.h"
 
 #include "common/util/complain.h"
+#include "common/util/version.h"
 
 #include <CLI/CLI.hpp>
 
@@ -145,6 +146,7 @@ int main(int argc, char** argv) {
     Words words;
     CLI::App app("Goes through the steps with you.", "./learn");
     app.require_subcommand(1);
+    app.set_version_flag("--version", rt::version());
     app.add_option("--root", words.root, "the project's folder");
     app.add_option("--workshop", words.workshop, "where your files are, if not in ROOT/workshop");
     add_start(app, words);
@@ -164,7 +166,7 @@ int main(int argc, char** argv) {
                    ? words.code
                    : rt::complain("learn",
                                   "stdout takes no more text (is the disk full?); all else went well");
-    } catch (const CLI::CallForHelp& help) {
+    } catch (const CLI::Success& help) {
         return app.exit(help);
     } catch (const std::exception& problem) {
         return rt::complain("learn", problem.what());

@@ -10,6 +10,7 @@
 #include "tools/tutor/gallery.h"
 #include "tools/tutor/hash.h"
 #include "tools/tutor/process.h"
+#include "tools/tutor/record.h"
 #include "tools/tutor/temporary.h"
 
 #include <algorithm>
@@ -61,7 +62,7 @@ void add_with_includes(const Toolchain& tools, const Change& change, const std::
     if (name.empty() || !seen.insert(name).second) return;
     const std::string text = text_of(tools, change, name);
     hash.add(name);
-    hash.add(text);
+    hash.add(code_only(text));
     for (const std::string& line : lines_of(text))
         if (const std::string other = included(line); !other.empty())
             add_with_includes(tools, change, other, seen, hash);
@@ -247,7 +248,11 @@ std::string proof_key(const Toolchain& tools, const std::string& step) {
     std::set<std::string> seen;
     for (const std::string& source : check_sources(tools, Change{.step = step}))
         add_with_includes(tools, {}, source, seen, hash);
-    hash.add(read_file((tools.root / "exercises" / step / "mistakes.md").string()));
+    for (const Mistake& mistake : read_catalogue(tools.root, step)) {
+        hash.add(mistake.id);
+        hash.add(mistake.file);
+        for (const PatchLine& line : mistake.patch) hash.add(line.kind + code_only(line.text));
+    }
     return hash.text();
 }
 

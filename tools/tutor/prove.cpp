@@ -6,10 +6,12 @@
 #include "common/util/error.h"
 #include "common/util/file_bytes.h"
 #include "common/util/json.h"
+#include "common/util/version.h"
 #include "tools/tutor/catalogue.h"
 #include "tools/tutor/exercises.h"
 #include "tools/tutor/gallery.h"
 #include "tools/tutor/proof.h"
+#include "tools/tutor/record.h"
 
 #include <CLI/CLI.hpp>
 
@@ -21,7 +23,6 @@
 #include <map>
 #include <mutex>
 #include <set>
-#include <sstream>
 #include <thread>
 
 namespace rt {
@@ -317,30 +318,23 @@ void print_table(const std::vector<Count>& counts, const Count& total) {
     print_row(total);
 }
 
-/// exercises/proved.txt: of each step, the key of what was proved when all of it held.
-std::map<std::string, std::string> noted_keys(const Toolchain& tools) {
-    std::map<std::string, std::string> keys;
-    const fs::path path = tools.root / "exercises" / "proved.txt";
-    if (!fs::exists(path)) return keys;
-    std::istringstream lines(read_file(path.string()));
-    for (std::string line, step, key; std::getline(lines, line);)
-        if (std::istringstream words(line); line[0] != '#' && words >> step >> key) keys[step] = key;
-    return keys;
+fs::path record_path(const Toolchain& tools) {
+    return tools.root / "exercises" / "proved.txt";
 }
 
 void note_key(const Toolchain& tools, const std::string& step) {
-    std::map<std::string, std::string> keys = noted_keys(tools);
-    keys[step] = proof_key(tools, step);
-    std::string text =
+    Record record = read_record(record_path(tools));
+    record[step] = proof_key(tools, step);
+    write_record(
+        record_path(tools),
         "# Of each step, the key of what was proved when all of it held: its checks, what they include, and "
-        "its\n# mistakes. Written by ./learn prove --write, read by ./learn prove --changed.\n";
-    for (const auto& [name, key] : keys) text += name + " " + key + "\n";
-    write_file((tools.root / "exercises" / "proved.txt").string(), text);
+        "its\n# mistakes. Written by ./learn prove --write, read by ./learn prove --changed.\n",
+        record);
 }
 
 std::vector<StepProof> plan_all(const Toolchain& tools, const Wishes& wishes) {
     std::vector<StepProof> proofs;
-    std::map<std::string, std::string> noted = noted_keys(tools);
+    Record noted = read_record(record_path(tools));
     for (const std::string& step : step_names(tools.root, wishes.step)) {
         if (wishes.changed && noted[step] == proof_key(tools, step)) continue;
         prepare(tools, step);
@@ -390,6 +384,7 @@ int main(int argc, char** argv) {
                  "caught and named.\n"
                  "Exit code: 0 all of it holds, 1 something does not, 2 an error.",
                  "prove");
+    app.set_version_flag("--version", rt::version());
     app.add_option("--json", wishes.json, "writes the counts to this file");
     app.add_option("--step", wishes.step, "one step alone: 3, 03 or 03_mirror");
     app.add_flag("--no-pictures", wishes.no_pictures, "does not render the wrong pictures");

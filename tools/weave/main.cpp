@@ -5,8 +5,10 @@
 #include "common/util/complain.h"
 #include "common/util/error.h"
 #include "common/util/file_bytes.h"
+#include "common/util/version.h"
 #include "tools/tutor/exercises.h"
 #include "tools/tutor/process.h"
+#include "tools/tutor/record.h"
 #include "tools/tutor/temporary.h"
 
 #include <CLI/CLI.hpp>
@@ -14,7 +16,6 @@
 #include <algorithm>
 #include <exception>
 #include <iostream>
-#include <map>
 
 namespace {
 
@@ -26,12 +27,13 @@ struct Wishes {
     bool check = false, commands = false, changed = false, outputs = false;
 };
 
-/// The pages' paths from the root: all of docs/ and the README, unless some are named.
+/// The pages' paths from the root: those in it and in docs/, unless some are named.
 std::vector<std::string> pages_of(const Wishes& wishes) {
     if (!wishes.pages.empty()) return wishes.pages;
-    std::vector<std::string> pages{"README.md"};
-    for (const fs::path& entry : rt::entries_of(fs::path(wishes.root) / "docs"))
-        if (entry.extension() == ".md") pages.push_back("docs/" + entry.filename().string());
+    std::vector<std::string> pages;
+    for (const std::string folder : {"", "docs/"})
+        for (const fs::path& entry : rt::entries_of(fs::path(wishes.root) / folder))
+            if (entry.extension() == ".md") pages.push_back(folder + entry.filename().string());
     std::ranges::sort(pages);
     return pages;
 }
@@ -139,33 +141,25 @@ void run_commands(const Wishes& wishes, const std::string& page, Report& report)
     fs::remove_all(workshop, ignored);
 }
 
-/// docs/ran.txt: of each page, the key of what was run when all of it held.
-std::map<std::string, std::string> noted_keys(const Wishes& wishes) {
-    std::map<std::string, std::string> keys;
-    const fs::path path = fs::path(wishes.root) / "docs" / "ran.txt";
-    std::error_code ignored;
-    if (!fs::exists(path, ignored)) return keys;
-    for (const std::string& line : rt::lines_of(rt::read_file(path.string())))
-        if (const std::size_t blank = line.find(' '); !line.starts_with("#") && blank != std::string::npos)
-            keys[line.substr(0, blank)] = line.substr(blank + 1);
-    return keys;
-}
-
-void note_keys(const Wishes& wishes, const std::map<std::string, std::string>& keys) {
-    std::string text =
+/// docs/ran.txt: of each page that runs something, the key of what was run when all of it held.
+void note_keys(const Wishes& wishes, rt::Record record) {
+    const fs::path root = wishes.root;
+    std::erase_if(record, [&](const auto& page) { return !fs::exists(root / page.first); });
+    rt::write_record(
+        root / "docs" / "ran.txt",
         "# Of each page, the key of what ./learn weave --commands ran when all of it held: its commands and "
-        "outputs,\n# ./learn, and the steps. Read by ./learn weave --commands --changed.\n";
-    for (const auto& [page, key] : keys) text += page + " " + key + "\n";
-    rt::write_file((fs::path(wishes.root) / "docs" / "ran.txt").string(), text);
+        "outputs,\n# ./learn, and the steps. Read by ./learn weave --commands --changed.\n",
+        record);
 }
 
 /// The commands of the pages: of all, or of those that are not as they were when they ran well.
 int run_all_commands(const Wishes& wishes) {
-    std::map<std::string, std::string> keys = noted_keys(wishes);
+    rt::Record keys = rt::read_record(fs::path(wishes.root) / "docs" / "ran.txt");
     bool all_is_true = true;
     for (const std::string& page : pages_of(wishes)) {
         const std::string key = rt::page_key(wishes.root, page);
-        if (wishes.changed && keys[page] == key) continue;
+        if (key.empty()) keys.erase(page);
+        if (key.empty() || (wishes.changed && keys[page] == key)) continue;
         Report report;
         run_commands(wishes, page, report);
         all_is_true = all_is_true && report.all_is_true;
@@ -195,8 +189,9 @@ int main(int argc, char** argv) {
                  "Exit code: 0 all is true, 1 something is not, 2 an error.",
                  "weave");
     Wishes wishes;
+    app.set_version_flag("--version", rt::version());
     app.add_option("PAGES", wishes.pages,
-                   "docs/03_mirror.md ...; all of docs/ and the README if none is named");
+                   "docs/03_mirror.md ...; those of docs/ and of the project's folder if none is named");
     CLI::Option* const check_flag =
         app.add_flag("--check", wishes.check, "writes nothing: says what is stale, and which links are dead");
     CLI::Option* const commands_flag = app.add_flag(

@@ -7,6 +7,7 @@
 #include "tools/tutor/exercises.h"
 #include "tools/tutor/hash.h"
 #include "tools/tutor/line_diff.h"
+#include "tools/tutor/record.h"
 #include "tools/weave/region.h"
 
 #include <algorithm>
@@ -110,6 +111,16 @@ std::string gallery(const fs::path& root, const std::string& what) {
     return "\n" + table + "\n";
 }
 
+/// Adds the code of all files below a folder, in the order of their names.
+void add_code_below(const fs::path& folder, Hash& hash) {
+    for (const fs::path& entry : entries_of(folder)) {
+        if (fs::is_directory(entry))
+            add_code_below(entry, hash);
+        else
+            hash.add(code_only(read_file(entry.string())));
+    }
+}
+
 } // namespace
 
 std::vector<Block> find_blocks(const std::vector<std::string>& lines, const std::string& path) {
@@ -166,16 +177,20 @@ std::string page_key(const fs::path& root, const std::string& page) {
     const std::string name = fs::path(page).filename().string();
     const std::string last = name[0] == '0' ? name.substr(0, 2) : "99";
     Hash hash;
-    for (const Command& command : find_commands(lines, page)) hash.add(command.line);
+    const std::vector<Command> commands = find_commands(lines, page);
+    for (const Command& command : commands) hash.add(command.line);
+    bool runs = !commands.empty();
     for (const Block& block : find_blocks(lines, page)) {
         if (block.kind != "output" && block.kind != "measured") continue;
+        runs = true;
         hash.add(block.what);
         for (std::size_t i = block.begin; block.kind == "output" && i < block.end; ++i) hash.add(lines[i]);
     }
+    if (!runs) return "";
     hash.add(read_file((root / "learn").string()));
     for (const fs::path& step : entries_of(root / "steps"))
-        if (step.filename().string().substr(0, 2) <= last)
-            for (const fs::path& file : entries_of(step)) hash.add(read_file(file.string()));
+        if (step.filename().string().substr(0, 2) <= last) add_code_below(step, hash);
+    add_code_below(root / "accel", hash);
     return hash.text();
 }
 

@@ -30,8 +30,9 @@ struct Command {
 /// The lines of all blocks of ```sh. Throws Error, as "path:line: what is wrong", for "# exit" without a code from 0 to 255.
 std::vector<Command> find_commands(const std::vector<std::string>& lines, const std::string& path = "page");
 
-/// A hash of all that decides what the commands of a page do, but for what is behind them: the commands and outputs that it
-/// shows, ./learn, and the steps up to the page's own, or all of them for an appendix.
+/// Returns a hash of all that decides what the commands of a page do, but for what is behind them: the commands and outputs
+/// that it shows, ./learn, and the code of accel/ and of the steps up to the page's own, or of all steps for an appendix.
+/// Empty if the page runs nothing.
 std::string page_key(const std::filesystem::path& root, const std::string& page);
 
 /// What shall stand in a block of a kind that needs no command to be run: fences and all. Throws Error.

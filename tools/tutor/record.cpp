@@ -1,0 +1,46 @@
+// Reads and writes records of keys, and leaves out of a source what no key depends on.
+#include "tools/tutor/record.h"
+
+#include "common/util/file_bytes.h"
+#include "tools/tutor/exercises.h"
+
+#include <sstream>
+
+namespace rt {
+
+namespace fs = std::filesystem;
+
+Record read_record(const fs::path& path) {
+    Record record;
+    if (std::error_code ignored; !fs::exists(path, ignored)) return record;
+    for (const std::string& line : lines_of(read_file(path.string()))) {
+        std::istringstream words(line);
+        std::string name, key;
+        if (!line.starts_with("#") && words >> name >> key) record[name] = key;
+    }
+    return record;
+}
+
+void write_record(const fs::path& path, const std::string& heading, const Record& record) {
+    std::string text = heading;
+    for (const auto& [name, key] : record) text += name + " " + key + "\n";
+    std::error_code ignored;
+    if (!fs::exists(path, ignored) || read_file(path.string()) != text) write_file(path.string(), text);
+}
+
+std::string code_only(const std::string& source) {
+    std::string code;
+    for (std::string line : lines_of(source)) {
+        const std::size_t at = line.find("//");
+        const bool marks =
+            at != std::string::npos && (line.substr(at, 3) == "//>" || line.substr(at, 3) == "//<");
+        const bool is_whole_line = at == line.find_first_not_of(' ');
+        if (at != std::string::npos && !marks && (is_whole_line || line.find('"', at) == std::string::npos))
+            line.resize(at);
+        std::istringstream words(line);
+        for (std::string word; words >> word;) code += word + " ";
+    }
+    return code;
+}
+
+} // namespace rt
