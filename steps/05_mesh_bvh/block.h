@@ -49,7 +49,7 @@ struct alignas(2 * sizeof(Row)) TriangleBlock {
 
 [[gnu::always_inline]] inline TriangleRay TriangleBlock::prepare(const Ray& ray) {
     const vec3 inverse = 1.0f / ray.direction; // of which wide_ray() needs all three: the same divisions
-    const vec3 d = absolute(ray.direction);
+    const vec3 d = abs(ray.direction);
     const bool y_leads = d.y > d.x;
     const int z = d.z >= (y_leads ? d.y : d.x) ? 2 : int(y_leads);
     const int x = z == 2 ? 0 : z + 1, y = z == 0 ? 2 : z - 1;

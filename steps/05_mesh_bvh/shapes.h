@@ -9,7 +9,7 @@
 #include "05_mesh_bvh/mesh.h"
 #include "05_mesh_bvh/wide_bvh.h"
 #include "common/util/match.h"
-#include "common/util/tally.h"
+#include "common/util/ray_stats.h"
 
 #include <algorithm>
 #include <variant>
@@ -103,7 +103,7 @@ inline void closest_hit_wide(const Shapes& shapes, Ray& ray, ClosestShape& close
 /// What the ray meets first. Each hit shortens the ray, so the last one found is the nearest; only that one
 /// is worked out in full.
 inline std::optional<Hit> intersect(const Shapes& shapes, Ray ray) {
-    ++tally.rays;
+    ++ray_stats.rays;
     ClosestShape closest;
     for (const Plane& plane : shapes.planes) {
         if (const auto t = intersect(plane, ray)) {
@@ -136,7 +136,7 @@ inline bool occluded_wide(const Shapes& shapes, const Ray& ray) {
 
 /// Whether anything at all stands in the ray's interval: the first shape that does ends the search.
 inline bool occluded(const Shapes& shapes, const Ray& ray) {
-    ++tally.rays;
+    ++ray_stats.rays;
     bool hit = false;
     const auto test = [&](const auto& shape) { return hit = intersect(shape, ray).has_value(); };
     if (std::ranges::any_of(shapes.planes, test)) return true;

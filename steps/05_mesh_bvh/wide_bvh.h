@@ -5,7 +5,7 @@
 #include "05_mesh_bvh/block.h"
 #include "common/util/big_vector.h"
 #include "common/math/row.h"
-#include "common/util/tally.h"
+#include "common/util/ray_stats.h"
 
 #include <algorithm>
 #include <array>
@@ -127,7 +127,7 @@ template <typename Block>
                                            Waiting*& top, std::uint32_t& child) {
     while (!is_block(child)) {
         const WideNode& node = node_at(bvh, child);
-        tally.box_tests += lanes;
+        ray_stats.box_tests += lanes;
         Row t_in;
         unsigned entered = enter(node, ray, t_max, t_in);
         if (entered == 0) return false;
@@ -167,7 +167,7 @@ void nearest(const WideBvh<Block>& bvh, const Ray& ray, Leaf&& leaf) {
     while (true) {
         if (descend(bvh, wide, row(ray.t_max), top, child)) {
             const Block& block = block_at(bvh, child);
-            tally.triangle_tests += lanes;
+            ray_stats.triangle_tests += lanes;
             if (const unsigned maybe = candidates(block, narrow, ray.t_min, ray.t_max).maybe; maybe != 0)
                 test_all(block, maybe);
         }
@@ -203,12 +203,12 @@ bool any_hit(const WideBvh<Block>& bvh, const Ray& ray, Leaf&& leaf) {
     while (true) {
         if (is_block(child)) {
             const Block& block = block_at(bvh, child);
-            tally.triangle_tests += lanes;
+            ray_stats.triangle_tests += lanes;
             const Candidates found = candidates(block, narrow, ray.t_min, ray.t_max);
             if (found.certain != 0) return true;
             if (found.maybe != 0 && test_any(block, found.maybe)) return true;
         } else {
-            tally.box_tests += lanes;
+            ray_stats.box_tests += lanes;
             Row t;
             const WideNode& node = node_at(bvh, child);
             if (unsigned entered = enter(node, wide, t_max, t); entered != 0) {

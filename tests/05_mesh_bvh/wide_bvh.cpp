@@ -9,7 +9,7 @@ using namespace rt;
 
 namespace {
 
-Scene prepared(const ObjFile& file, Accel accel = Accel::wide) {
+Scene prepared(const ObjModel& file, Accel accel = Accel::wide) {
     Scene scene;
     scene.accel = accel;
     add_model(scene, file, 0);
@@ -65,7 +65,7 @@ void check_wide_changes_nothing(const Scene& scene, const Aabb& box, int count) 
     CHECK_MESSAGE(result.shadows == 0, "any_hit() must agree with nearest()");
 }
 
-void check_wide_changes_nothing(const ObjFile& file, int count) {
+void check_wide_changes_nothing(const ObjModel& file, int count) {
     const Scene scene = prepared(file);
     check_wide_changes_nothing(scene, bounds(scene.mesh), count);
 }
@@ -74,8 +74,8 @@ void check_wide_changes_nothing(const ObjFile& file, int count) {
 
 TEST_CASE("a ray that aims at an edge or a corner that triangles share never slips through, in float") {
     for (const float far : {1.0f, 30.0f, 3000.0f}) {
-        const ObjFile files[] = {icosphere(3), flat_grid(24)};
-        for (const ObjFile& file : files) {
+        const ObjModel files[] = {icosphere(3), flat_grid(24)};
+        for (const ObjModel& file : files) {
             const Scene scene = prepared(file);
             Random random(82);
             int slipped = 0, shadows = 0;
@@ -108,20 +108,20 @@ TEST_CASE("the wide tree finds what asking every shape finds") {
     check_wide_changes_nothing(random_triangles(2000, 0.15f), 1200);
     check_wide_changes_nothing(flat_grid(20), 1500);
     check_wide_changes_nothing(icosphere(3), 1500);
-    ObjFile far = random_triangles(300, 0.3f);
+    ObjModel far = random_triangles(300, 0.3f);
     transform(far, 50, vec3(1e4f, -1e4f, 1e4f));
     check_wide_changes_nothing(far, 2000);
-    ObjFile small = random_triangles(300, 0.3f);
+    ObjModel small = random_triangles(300, 0.3f);
     transform(small, 1e-3f, vec3(0));
     check_wide_changes_nothing(small, 2000);
 }
 
 TEST_CASE("the wide tree finds what asking every shape finds, among identical, flat and huge triangles") {
     const vec3 a = {1, -2, 3}, b = {3, 1, 4}, c = {-1, 2, 6};
-    ObjFile identical = empty_file();
+    ObjModel identical = empty_file();
     for (int i = 0; i < 100; ++i) add_triangle(identical, a, b, c);
     check_wide_changes_nothing(identical, 1000);
-    ObjFile file = empty_file();
+    ObjModel file = empty_file();
     Random random(84);
     for (int i = 0; i < 300; ++i) {
         const vec3 p = random_point(random);
@@ -170,14 +170,14 @@ TEST_CASE("a quad in the wide tree has the hit of a quad, in both of its halves"
 TEST_CASE("among 2,000 random triangles a ray asks few nodes and blocks") {
     const Scene scene = prepared(random_triangles(2000, 0.2f));
     Random random(5);
-    tally = {};
+    ray_stats = {};
     const int rays = 3000;
     for (int i = 0; i < rays; ++i) {
         const vec3 from = 3.0f * random_point(random) - 1.0f, to = random_point(random);
         intersect(scene, Ray{from, to - from});
     }
-    const double nodes = double(tally.box_tests) / lanes / rays,
-                 blocks = double(tally.triangle_tests) / lanes / rays;
+    const double nodes = double(ray_stats.box_tests) / lanes / rays,
+                 blocks = double(ray_stats.triangle_tests) / lanes / rays;
     INFO(nodes, " nodes and ", blocks, " blocks a ray");
     CHECK_MESSAGE(
         nodes < 64.0 / lanes,

@@ -12,7 +12,7 @@
 #include "common/math/random.h"
 #include "common/render/render.h"
 #include "common/math/row.h"
-#include "common/util/tally.h"
+#include "common/util/ray_stats.h"
 #include "common/math/vec.h"
 
 #include <algorithm>
