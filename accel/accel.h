@@ -39,14 +39,15 @@ struct Hit {
 /// Returns the hit with the least t in the ray's interval. `ray` is a Ray or of a type with the same members.
 template <typename Counters = NoCounters, typename Block>
 std::optional<Hit> closest_hit(const WideBvh<Block>& bvh, RayLike auto ray) {
-    std::optional<Hit> closest;
+    constexpr std::uint32_t invalid_index = 0xffffffff;
+    Hit closest{0, 0, 0, invalid_index};
     closest_hit<Counters>(bvh, ray, [&](const Block& block, std::size_t lane) {
         if (const auto hit = exact_hit(primitive_at(block, lane), ray)) {
             ray.t_max = hit->t;
-            closest = Hit{hit->t, hit->u, hit->v, block.primitive[lane]};
+            closest = {hit->t, hit->u, hit->v, block.primitive[lane]};
         }
     });
-    return closest;
+    return closest.primitive == invalid_index ? std::nullopt : std::optional(closest);
 }
 
 /// Returns whether the ray hits anything in its interval, sooner than closest_hit() finds what: for shadow

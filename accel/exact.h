@@ -15,7 +15,7 @@ namespace rt::accel {
 /// (Moller and Trumbore 1997). It does not test the outline again: a second test with other rounding would
 /// open the edges. Where rounding put the point outside, u and v are clamped to the triangle, and t to the
 /// range of its vertices, also for a triangle that is seen edge-on.
-std::optional<ExactHit> exact_hit(const std::array<vec3, 3>& vertices, const RayLike auto& ray) {
+inline std::optional<ExactHit> exact_hit(const std::array<vec3, 3>& vertices, const RayLike auto& ray) {
     const dvec3 a(vertices[0]), direction(ray.direction);
     const dvec3 edge_b = dvec3(vertices[1]) - a, edge_c = dvec3(vertices[2]) - a;
     const dvec3 p = cross(direction, edge_c), t_vec = dvec3(ray.origin) - a, q = cross(t_vec, edge_b);
@@ -41,7 +41,7 @@ std::optional<ExactHit> exact_hit(const std::array<vec3, 3>& vertices, const Ray
 /// Returns the smallest t in the ray's interval with |O + tD - C|^2 = r^2, which is a t^2 - 2 h t + c = 0.
 /// The roots are q/a and c/q: neither subtracts two nearly equal numbers (Press et al., Numerical Recipes,
 /// 5.6).
-std::optional<ExactHit> exact_hit(const Sphere& sphere, const RayLike auto& ray) {
+inline std::optional<ExactHit> exact_hit(const Sphere& sphere, const RayLike auto& ray) {
     const dvec3 to_center = dvec3(sphere.center) - dvec3(ray.origin), direction(ray.direction);
     const double radius = sphere.radius;
     const double a = dot(direction, direction), h = dot(direction, to_center);

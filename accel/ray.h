@@ -26,7 +26,7 @@ concept RayLike = requires(const T& ray) {
 };
 
 /// Returns whether t lies in the ray's interval. NaN does not.
-bool in_interval(const RayLike auto& ray, float t) {
+inline bool in_interval(const RayLike auto& ray, float t) {
     return ray.t_min < t && t < ray.t_max;
 }
 

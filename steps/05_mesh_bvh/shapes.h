@@ -96,7 +96,7 @@ struct TallyCounters {
 /// The same by the wide trees. They know which shapes the ray may meet; where it meets them is worked out in
 /// double, as above. So all ways give the same picture.
 template <typename Counters>
-void search_wide(const Shapes& shapes, Ray& ray, Met& met) {
+inline void search_wide(const Shapes& shapes, Ray& ray, Met& met) {
     const auto shorten = [&](float t, auto found) {
         ray.t_max = t;
         met = found;
@@ -140,7 +140,7 @@ inline std::optional<Hit> intersect(const Shapes& shapes, Ray ray) {
 
 /// The wide trees' part of occluded().
 template <typename Counters>
-bool occluded_wide(const Shapes& shapes, const Ray& ray) {
+inline bool occluded_wide(const Shapes& shapes, const Ray& ray) {
     const auto meets_triangle = [&](const auto& block, std::size_t lane) {
         const Quad* quad = quad_of(shapes, block.primitive[lane]);
         return quad ? contains(ray, float(plane_t(*quad, ray)))
