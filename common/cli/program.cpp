@@ -2,7 +2,7 @@
 
 #include "common/cli/program.h"
 
-#include "common/util/big_vector.h"
+#include "common/util/huge_page_vector.h"
 #include "common/util/complain.h"
 #include "common/util/error.h"
 #include "common/util/file_bytes.h"
@@ -273,7 +273,7 @@ int run(const Options& options, const std::function<void(const RenderCall&)>& bo
     const Outputs outputs = checked_outputs(options);
     say(picture, headline(picture));
     if (!own_headers.empty()) say(picture, "using your " + printable(own_headers) + "\n");
-    BigVector<char> spare; // what the writing will need: better refused now than when the picture is finished
+    HugePageVector<char> spare; // what the writing will need: better refused now than when the picture is finished
     spare.reserve(memory_to_write(picture.crop.x1 - picture.crop.x0, picture.crop.y1 - picture.crop.y0));
     std::optional<Film> film;
     double render_seconds = 0;
@@ -287,7 +287,7 @@ int run(const Options& options, const std::function<void(const RenderCall&)>& bo
     warn_not_finite(options.name(), *film);
     say(picture, cost(film->tally, render_seconds));
     handler.writing_begins();
-    spare = BigVector<char>();
+    spare = HugePageVector<char>();
     return write_outputs(options.name(), outputs, *film);
 }
 
@@ -300,7 +300,7 @@ int run_program(Options& options, int argc, const char* const* argv,
     try {
         int code = 0;
         if (options.parse(argc, argv)) {
-            use_threads(options.picture().threads);
+            set_thread_count(options.picture().threads);
             code = run(options, body, own_headers, handler);
         }
         if (!std::cout.flush())

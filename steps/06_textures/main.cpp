@@ -46,6 +46,7 @@ int main(int argc, char** argv) {
         const auto [width, height] = std::pair(options.picture().width, options.picture().height);
         Scene scene;
         scene.accel = accel;
+        scene.count_tests = view == View::work;
         const bool own = !model.mesh.empty();
         const Pose pose = camera_knobs.pose(own ? stage_model(scene, model, float(width) / float(height))
                                                 : meadow(scene, tiles));

@@ -69,6 +69,7 @@ int main(int argc, char** argv) {
         const auto [width, height] = std::pair(options.picture().width, options.picture().height);
         Scene scene;
         scene.accel = accel;
+        scene.count_tests = view == View::work;
         const Pose pose =
             camera_knobs.pose(!model.mesh.empty() ? stage_model(scene, model, float(width) / float(height))
                               : !spheres.empty()  ? weekend(scene, read_sphere_list(spheres))

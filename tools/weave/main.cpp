@@ -26,10 +26,10 @@ struct Wishes {
     bool check = false, commands = false, changed = false, outputs = false;
 };
 
-/// The pages' paths from the root: all of docs/ and the README, unless some are named.
+/// The pages' paths from the root: all of docs/ and both READMEs, unless some are named.
 std::vector<std::string> pages_of(const Wishes& wishes) {
     if (!wishes.pages.empty()) return wishes.pages;
-    std::vector<std::string> pages{"README.md"};
+    std::vector<std::string> pages{"README.md", "accel/README.md"};
     for (const fs::path& entry : rt::entries_of(fs::path(wishes.root) / "docs"))
         if (entry.extension() == ".md") pages.push_back("docs/" + entry.filename().string());
     std::ranges::sort(pages);
