@@ -124,7 +124,7 @@ first "Step 03: what does the mirror see?" check 03 --no-picture
 first "picture   " check 08
 first "waiting for the next save" watch 03 --no-picture
 first "next: ./learn start 01" status
-first "Hint 1 of 3" hint 03 mirror_ray
+first "Hint 1 of 3" hint 03 reflected_ray
 first "reference counts again" undo --help
 
 # By a link to the project, by a link to the script, and with what makes cd print.
@@ -207,7 +207,7 @@ for name in "it's" "a & (b)" 'US$ 5'; do # which are nothing special
     mv "$clone" "$folder/$name"
     here=$folder/$name clone=$folder/$name
     first "renders/03_mirror.png" run 03
-    first "Hint 1 of 3" hint 03 mirror_ray
+    first "Hint 1 of 3" hint 03 reflected_ray
 done
 here=$clone
 

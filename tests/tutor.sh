@@ -43,18 +43,18 @@ refuses() { # $1: what the line says; the rest: the words
 # The way of a learner.
 says "next: ./learn start 01" status
 [ ! -e "$workshop" ] || wrong "looking at the status makes a folder"
-says "mirror.h:29  mirror_ray" start 03
+says "mirror.h:29  reflected_ray" start 03
 says "mirror.h is there already" start 3
 says "next: write reflect in" status
-says "Hint 1 of 3" hint 03 mirror_ray
-says "Hint 2 of 3" hint 03 mirror_ray
-says "Hint 2 of 3" hint 03 mirror_ray --again
-says "Hint 3 of 3" hint 03 mirror_ray
-says "no more hints" hint 03 mirror_ray
-says "Hint 1 of 3" hint 03 mirror_ray --all
-says "3 of 3  mirror_ray" hint 03
-says "begin anew" hint 03 mirror_ray --reset
-says "-    return ray_from(hit, reflect(ray.direction, hit.normal));" diff 03 mirror.h
+says "Hint 1 of 3" hint 03 reflected_ray
+says "Hint 2 of 3" hint 03 reflected_ray
+says "Hint 2 of 3" hint 03 reflected_ray --again
+says "Hint 3 of 3" hint 03 reflected_ray
+says "no more hints" hint 03 reflected_ray
+says "Hint 1 of 3" hint 03 reflected_ray --all
+says "3 of 3  reflected_ray" hint 03
+says "begin anew" hint 03 reflected_ray --reset
+says "-    return spawn_ray(hit, reflect(ray.direction, hit.shading_normal));" diff 03 mirror.h
 grep -v '^ *//[<>]' "$project/steps/03_mirror/mirror.h" >"$workshop/03_mirror/mirror.h"
 says "mirror.h: as the reference" diff 03 mirror.h
 says "2 of 4 functions begun" status
@@ -78,12 +78,12 @@ done
 # Wrong words.
 refuses "there is no step '9'" start 9
 refuses "there is no step '03/..'" hint 03/..
-refuses "03_mirror has no exercise 'mirror'; it has reflect, mirror_ray" hint 03 mirror
+refuses "03_mirror has no exercise 'mirror'; it has reflect, reflected_ray" hint 03 mirror
 refuses "there is no file 'mirror' in" diff 03 mirror
 refuses "there is no file '../../x' in" undo 03 ../../x
 refuses "STEP is required" start
 refuses "not expected" status now
-refuses "excludes" hint 03 mirror_ray --again --all
+refuses "excludes" hint 03 reflected_ray --again --all
 run start 9 --help
 [ $code = 0 ] || wrong "start --help: exit $code"
 

@@ -11,14 +11,14 @@ struct Diffuse {
 };
 
 /// The flat shader: one radiance from every side whatever light there is. In step 08 it becomes a lamp.
-inline Diffuse flat(vec3 radiance) {
+inline Diffuse emissive(vec3 radiance) {
     return {vec3(0), radiance};
 }
 
 /// Lambert's law: irradiance E (W/m^2) leaves a matte surface as radiance albedo / pi E, the same in all
 /// directions. The pi is the integral of the cosine over the half-sphere: with albedo 1, all that came leaves
 /// again.
-inline vec3 reflected(const Diffuse& diffuse, vec3 irradiance) {
+inline vec3 outgoing_radiance(const Diffuse& diffuse, vec3 irradiance) {
     //> emission, and albedo / pi of what arrives
     return diffuse.emission + diffuse.albedo / pi * irradiance;
     //< return vec3(0);

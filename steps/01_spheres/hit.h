@@ -13,40 +13,42 @@ namespace rt {
 /// float, each of a relative 2^-24: of t, along a way of at most 2 M per axis; of the hit's position; and of
 /// the moved origin of the next ray. A unit normal has |x| + |y| + |z| <= sqrt(3), so a point is off its
 /// surface by at most (2 + 1 + 1) sqrt(3) 2^-24 M < 2^-21 M.
-inline constexpr float epsilon = 0x1p-21f;
+inline constexpr float relative_epsilon = 0x1p-21f;
 
 /// The bound on how far off its surface a point may be that was found along a ray from `origin`.
 inline float position_error(vec3 origin, vec3 position) {
     const vec3 reach = max(absolute(position), absolute(origin));
-    return epsilon * glm::max(reach.x, glm::max(reach.y, reach.z));
+    return relative_epsilon * glm::max(reach.x, glm::max(reach.y, reach.z));
 }
 
 struct Hit {
     float t; ///< along the ray
     vec3 position;
-    vec3 normal;           ///< unit, on the side that the ray comes from; interpolated where a mesh is smooth
+    vec3 shading_normal;   ///< unit, on the side that the ray comes from; interpolated where a mesh is smooth
     vec3 geometric_normal; ///< unit, of the true surface, on the same side
     vec2 uv;               ///< where on the surface
     int material;          ///< index into the scene's materials
-    bool inside;           ///< the ray came from within the shape
-    float error;           ///< how far `position` may be off the true surface
+    bool back_face;        ///< the ray came from within the shape
+    float position_error;  ///< how far `position` may be off the true surface
     vec3 tint{1};          ///< multiplies the albedo: the colour of a mesh's vertices (step 05), or white
 };
 
-/// The hit at the end of `ray`, that is at t_max. `outward` is the shape's own unit normal, `smooth` the one
-/// to shade with; both are turned here, once, so that nobody else needs to ask which side a ray is on.
-inline Hit make_hit(const Ray& ray, vec3 outward, vec3 smooth, vec2 uv, int material) {
+/// The hit at the end of `ray`, that is at t_max. `outward_normal` is the shape's own unit normal,
+/// `shading_normal` the one to shade with; both are turned here, once, so that nobody else needs to ask which
+/// side a ray is on.
+inline Hit make_hit(const Ray& ray, vec3 outward_normal, vec3 shading_normal, vec2 uv, int material) {
     const vec3 position = at(ray, ray.t_max);
     const float error = position_error(ray.origin, position);
     //> seen from inside, both normals turn round
-    const bool inside = dot(ray.direction, outward) > 0;
-    const float side = inside ? -1.0f : 1.0f;
-    //< const bool inside = false; const float side = 1;
-    return {ray.t_max, position, side * smooth, side * outward, uv, material, inside, error};
+    const bool back_face = dot(ray.direction, outward_normal) > 0;
+    const float sign = back_face ? -1.0f : 1.0f;
+    //< const bool back_face = false; const float sign = 1;
+    return {ray.t_max, position, sign * shading_normal, sign * outward_normal, uv, material,
+            back_face, error};
 }
 
-inline Hit make_hit(const Ray& ray, vec3 outward, vec2 uv, int material) {
-    return make_hit(ray, outward, outward, uv, material);
+inline Hit make_hit(const Ray& ray, vec3 outward_normal, vec2 uv, int material) {
+    return make_hit(ray, outward_normal, outward_normal, uv, material);
 }
 
 /// A scene that can tell what a ray meets first. Transport code asks for no more than this, so what a chapter

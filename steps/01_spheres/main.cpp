@@ -8,13 +8,13 @@
 using namespace rt;
 
 /// Three balls of different radius on a checkered floor under a summer sky.
-Scene three_balls(float radius, float squares) {
+Scene three_spheres(float radius, float squares) {
     Scene scene;
     scene.sky = {.nadir = {0.62f, 0.4f, 0.25f}, .zenith = {0.52f, 0.85f, 1.45f}};
     const int terracotta = add(scene.materials, Diffuse{{0.85f, 0.22f, 0.09f}});
     const int teal = add(scene.materials, Diffuse{{0.03f, 0.42f, 0.38f}});
     const int mustard = add(scene.materials, Diffuse{{0.95f, 0.6f, 0.05f}});
-    const int floor = add(scene.materials, Checker{{0.8f, 0.72f, 0.6f}, {0.34f, 0.3f, 0.26f}, squares});
+    const int floor = add(scene.materials, Checkerboard{{0.8f, 0.72f, 0.6f}, {0.34f, 0.3f, 0.26f}, squares});
     scene.spheres = {{{0, radius, 0}, radius, terracotta},
                      {{1.75f, 0.6f, 0.55f}, 0.6f, teal},
                      {{-1.45f, 0.38f, 1.0f}, 0.38f, mustard}};
@@ -27,17 +27,18 @@ int main(int argc, char** argv) {
     const float& radius = options.knob("radius", 1.0f, 0.1f, 3.0f, "radius of the middle ball, metres");
     const float& squares =
         options.knob("squares", 0.5f, 0.05f, 10.0f, "width of the floor's squares, metres");
-    const auto view = view_knob(options);
-    const CameraKnobs camera_knobs(options, {.from = {0.3f, 1.7f, 5.5f}, .at = {0.1f, 0.75f, 0}, .fov = 36});
+    const auto view = view_option(options);
+    const CameraOptions camera_options(options,
+                                       {.from = {0.3f, 1.7f, 5.5f}, .at = {0.1f, 0.75f, 0}, .fov = 36});
 
     return run_program(options, argc, argv, [&](const RenderCall& render) {
-        const Scene scene = three_balls(radius, squares);
-        const Pose pose = camera_knobs.pose();
-        const Camera camera = make_camera(pose, options.picture().width, options.picture().height);
+        const Scene scene = three_spheres(radius, squares);
+        const LookAt look_at = camera_options.look_at();
+        const Camera camera = make_camera(look_at, options.picture().width, options.picture().height);
         render([&](Sample& sample) {
-            const Ray ray = camera_ray(camera, vec2(sample.x, sample.y) + in_pixel(sample.index));
-            if (view == View::light) return radiance(scene, ray);
-            return what_is_hit(scene, ray, view, distance(pose.from, pose.at));
+            const Ray ray = camera_ray(camera, vec2(sample.x, sample.y) + r2_offset(sample.index));
+            if (view == DebugView::radiance) return radiance(scene, ray);
+            return debug_colour(scene, ray, view, distance(look_at.from, look_at.at));
         });
     });
 }

@@ -23,9 +23,9 @@ inline std::optional<float> intersect(const Plane& plane, const Ray& ray) {
 }
 
 /// uv counts metres from plane.point; on a floor (normal +y) u runs along +x and v along -z.
-inline Hit surface(const Plane& plane, const Ray& ray) {
-    const vec3 north = std::abs(plane.normal.z) > 0.9f ? vec3(0, 1, 0) : vec3(0, 0, -1);
-    const vec3 u = normalize(cross(north, plane.normal));
+inline Hit surface_hit(const Plane& plane, const Ray& ray) {
+    const vec3 reference_axis = std::abs(plane.normal.z) > 0.9f ? vec3(0, 1, 0) : vec3(0, 0, -1);
+    const vec3 u = normalize(cross(reference_axis, plane.normal));
     const vec3 v = cross(plane.normal, u);
     const vec3 offset = at(ray, ray.t_max) - plane.point;
     return make_hit(ray, plane.normal, {dot(offset, u), dot(offset, v)}, plane.material);

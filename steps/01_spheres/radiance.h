@@ -1,9 +1,9 @@
 // How light travels, in step 01: from the sky to the first surface, and from there into the eye.
 #pragma once
 
-#include "01_spheres/background.h"
 #include "01_spheres/diffuse.h"
 #include "01_spheres/hit.h"
+#include "01_spheres/sky.h"
 #include "common/util/match.h"
 
 namespace rt {
@@ -11,8 +11,8 @@ namespace rt {
 /// A matte surface in the light of the whole sky. Shortcut: nothing stands in the sky's way. Step 02 adds
 /// shadows, step 08 lets the surroundings hide and colour the sky.
 template <Traceable S>
-vec3 lit(const S& scene, const Hit& hit, const Diffuse& diffuse) {
-    return reflected(diffuse, irradiance(scene.sky, hit.normal));
+vec3 shade_diffuse(const S& scene, const Hit& hit, const Diffuse& diffuse) {
+    return outgoing_radiance(diffuse, irradiance(scene.sky, hit.shading_normal));
 }
 
 /// The radiance that comes back along the ray, W / (m^2 sr), linear RGB.
@@ -21,7 +21,7 @@ vec3 radiance(const S& scene, const Ray& ray) {
     const auto hit = intersect(scene, ray);
     if (!hit) return radiance(scene.sky, ray.direction);
     return match(scene.materials[std::size_t(hit->material)],
-                 [&](const auto& matte) { return lit(scene, *hit, matte_at(matte, scene, *hit)); });
+                 [&](const auto& matte) { return shade_diffuse(scene, *hit, matte_at(matte, scene, *hit)); });
 }
 
 } // namespace rt

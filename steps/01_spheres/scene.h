@@ -1,10 +1,10 @@
 // What the world is made of: shapes, materials by index, and a sky around it all.
 #pragma once
 
-#include "01_spheres/background.h"
 #include "01_spheres/checkerboard.h"
 #include "01_spheres/diffuse.h"
 #include "01_spheres/shapes.h"
+#include "01_spheres/sky.h"
 #include "common/util/add.h"
 
 #include <variant>
@@ -12,7 +12,7 @@
 
 namespace rt {
 
-using Material = std::variant<Diffuse, Checker>;
+using Material = std::variant<Diffuse, Checkerboard>;
 
 struct Scene : Shapes {
     Sky sky;

@@ -48,11 +48,11 @@ inline vec2 sphere_uv(vec3 p) {
 }
 
 /// The hit at ray.t_max, where the ray was found to meet `sphere`.
-inline Hit surface(const Sphere& sphere, const Ray& ray) {
+inline Hit surface_hit(const Sphere& sphere, const Ray& ray) {
     //> the outward normal points from the centre to the hit
-    const vec3 outward = normalize(at(ray, ray.t_max) - sphere.center);
-    //< const vec3 outward = vec3(0, 1, 0);
-    return make_hit(ray, outward, sphere_uv(outward), sphere.material);
+    const vec3 outward_normal = normalize(at(ray, ray.t_max) - sphere.center);
+    //< const vec3 outward_normal = vec3(0, 1, 0);
+    return make_hit(ray, outward_normal, sphere_uv(outward_normal), sphere.material);
 }
 
 } // namespace rt

@@ -9,13 +9,13 @@ using namespace rt;
 
 /// Balls at dusk between a warm lamp and a cool one. One floats just above the floor, and one hangs beyond
 /// the warm lamp, where it must not cast a shadow.
-Scene two_lamps(float warm, float cool) {
+Scene two_lights(float warm, float cool) {
     Scene scene;
     scene.sky = {.nadir = {0.05f, 0.045f, 0.06f}, .zenith = {0.02f, 0.03f, 0.08f}};
     const int chalk = add(scene.materials, Diffuse{{0.82f, 0.8f, 0.76f}});
     const int rose = add(scene.materials, Diffuse{{0.8f, 0.3f, 0.32f}});
     const int sage = add(scene.materials, Diffuse{{0.35f, 0.6f, 0.4f}});
-    const int floor = add(scene.materials, Checker{{0.62f, 0.6f, 0.57f}, {0.42f, 0.41f, 0.42f}, 0.5f});
+    const int floor = add(scene.materials, Checkerboard{{0.62f, 0.6f, 0.57f}, {0.42f, 0.41f, 0.42f}, 0.5f});
     scene.lights = {{{-2.2f, 3.0f, 2.0f}, warm * vec3(1, 0.72f, 0.42f)},
                     {{3.2f, 2.2f, 1.2f}, cool * vec3(0.4f, 0.62f, 1)}};
     scene.spheres = {{{0, 0.9f, 0}, 0.9f, chalk},
@@ -30,17 +30,17 @@ int main(int argc, char** argv) {
     Options options("02_shadows", "Does the light get there?", {.width = 640, .height = 400, .samples = 16});
     const float& warm = options.knob("warm", 22.0f, 0.0f, 1000.0f, "intensity of the warm lamp, W/sr");
     const float& cool = options.knob("cool", 14.0f, 0.0f, 1000.0f, "intensity of the cool lamp, W/sr");
-    const auto view = view_knob(options);
-    const CameraKnobs camera_knobs(options, {.from = {0.2f, 2.4f, 6.2f}, .at = {0, 0.7f, 0}, .fov = 34});
+    const auto view = view_option(options);
+    const CameraOptions camera_options(options, {.from = {0.2f, 2.4f, 6.2f}, .at = {0, 0.7f, 0}, .fov = 34});
 
     return run_program(options, argc, argv, [&](const RenderCall& render) {
-        const Scene scene = two_lamps(warm, cool);
-        const Pose pose = camera_knobs.pose();
-        const Camera camera = make_camera(pose, options.picture().width, options.picture().height);
+        const Scene scene = two_lights(warm, cool);
+        const LookAt look_at = camera_options.look_at();
+        const Camera camera = make_camera(look_at, options.picture().width, options.picture().height);
         render([&](Sample& sample) {
-            const Ray ray = camera_ray(camera, vec2(sample.x, sample.y) + in_pixel(sample.index));
-            if (view == View::light) return radiance(scene, ray);
-            return what_is_hit(scene, ray, view, distance(pose.from, pose.at));
+            const Ray ray = camera_ray(camera, vec2(sample.x, sample.y) + r2_offset(sample.index));
+            if (view == DebugView::radiance) return radiance(scene, ray);
+            return debug_colour(scene, ray, view, distance(look_at.from, look_at.at));
         });
     });
 }

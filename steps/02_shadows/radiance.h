@@ -2,18 +2,18 @@
 // into the eye.
 #pragma once
 
-#include "02_shadows/light.h"
+#include "02_shadows/point_light.h"
 #include "common/util/match.h"
 
 namespace rt {
 
 /// The radiance that comes back along the ray, W / (m^2 sr), linear RGB.
-template <CastsShadows S>
+template <Occludable S>
 vec3 radiance(const S& scene, const Ray& ray) {
     const auto hit = intersect(scene, ray);
     if (!hit) return radiance(scene.sky, ray.direction);
     return match(scene.materials[std::size_t(hit->material)],
-                 [&](const auto& matte) { return lit(scene, *hit, matte_at(matte, scene, *hit)); });
+                 [&](const auto& matte) { return shade_diffuse(scene, *hit, matte_at(matte, scene, *hit)); });
 }
 
 } // namespace rt

@@ -8,17 +8,17 @@
 using namespace rt;
 
 /// Two mirrors that face each other across a few balls: one of steel, one of red lacquer over matte paint.
-Scene between_mirrors(float reflectivity) {
+Scene facing_mirrors(float reflectivity) {
     Scene scene;
     scene.sky = {.nadir = {0.75f, 0.4f, 0.22f}, .zenith = {0.1f, 0.28f, 0.7f}};
     const int orange = add(scene.materials, Diffuse{{0.85f, 0.42f, 0.1f}});
     const int red = add(scene.materials, Diffuse{{0.7f, 0.06f, 0.08f}});
-    const int lacquer = add(scene.materials, Reflective{reflectivity, red});
+    const int lacquer = add(scene.materials, Coated{reflectivity, red});
     const int steel = add(scene.materials, Mirror{{0.92f, 0.92f, 0.95f}});
     const int silver =
         add(scene.materials, Mirror{{0.82f, 0.9f, 0.86f}}); // old glass: greener with every reflection
     const int frame = add(scene.materials, Diffuse{{0.16f, 0.1f, 0.06f}});
-    const int floor = add(scene.materials, Checker{{0.72f, 0.7f, 0.66f}, {0.14f, 0.17f, 0.22f}, 0.5f});
+    const int floor = add(scene.materials, Checkerboard{{0.72f, 0.7f, 0.66f}, {0.14f, 0.17f, 0.22f}, 0.5f});
     scene.lights = {{{0.6f, 4.5f, 3.2f}, vec3(42, 38, 32)}};
     scene.spheres = {{{-0.1f, 0.75f, -0.55f}, 0.75f, steel},
                      {{0.75f, 0.45f, 0.45f}, 0.45f, lacquer},
@@ -37,18 +37,18 @@ int main(int argc, char** argv) {
         options.knob("reflectivity", 0.25f, 0.0f, 1.0f, "share of the lacquered ball that is a mirror");
     const int& depth =
         options.knob("depth", 12, 0, 100, "mirrors that a ray may meet; beyond them it is black");
-    const auto view = view_knob(options);
-    const CameraKnobs camera_knobs(options,
-                                   {.from = {1.72f, 1.5f, 3.7f}, .at = {-0.62f, 0.74f, 0}, .fov = 43});
+    const auto view = view_option(options);
+    const CameraOptions camera_options(options,
+                                       {.from = {1.72f, 1.5f, 3.7f}, .at = {-0.62f, 0.74f, 0}, .fov = 43});
 
     return run_program(options, argc, argv, [&](const RenderCall& render) {
-        const Scene scene = between_mirrors(reflectivity);
-        const Pose pose = camera_knobs.pose();
-        const Camera camera = make_camera(pose, options.picture().width, options.picture().height);
+        const Scene scene = facing_mirrors(reflectivity);
+        const LookAt look_at = camera_options.look_at();
+        const Camera camera = make_camera(look_at, options.picture().width, options.picture().height);
         render([&](Sample& sample) {
-            const Ray ray = camera_ray(camera, vec2(sample.x, sample.y) + in_pixel(sample.index));
-            if (view == View::light) return radiance(scene, ray, depth);
-            return what_is_hit(scene, ray, view, distance(pose.from, pose.at));
+            const Ray ray = camera_ray(camera, vec2(sample.x, sample.y) + r2_offset(sample.index));
+            if (view == DebugView::radiance) return radiance(scene, ray, depth);
+            return debug_colour(scene, ray, view, distance(look_at.from, look_at.at));
         });
     });
 }

@@ -36,9 +36,9 @@ inline std::optional<float> intersect(const Quad& quad, const Ray& ray) {
     return float(t);
 }
 
-inline Hit surface(const Quad& quad, const Ray& ray) {
-    const vec3 outward = normalize(cross(quad.edge_u, quad.edge_v));
-    return make_hit(ray, outward, quad_uv(quad, dvec3(at(ray, ray.t_max))), quad.material);
+inline Hit surface_hit(const Quad& quad, const Ray& ray) {
+    const vec3 outward_normal = normalize(cross(quad.edge_u, quad.edge_v));
+    return make_hit(ray, outward_normal, quad_uv(quad, dvec3(at(ray, ray.t_max))), quad.material);
 }
 
 } // namespace rt

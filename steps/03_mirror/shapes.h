@@ -19,16 +19,16 @@ struct Shapes {
     std::vector<Quad> quads;
 };
 
-/// What the ray meets first. Each hit shortens the ray, so the last one found is the nearest; only that one
+/// What the ray meets first. Each hit shortens the ray, so the last one found is the closest; only that one
 /// is worked out in full.
 inline std::optional<Hit> intersect(const Shapes& shapes, Ray ray) {
     ++tally.rays;
-    std::variant<std::monostate, const Sphere*, const Plane*, const Quad*> nearest;
-    //> try every shape; what hits becomes the nearest and shortens the ray
+    std::variant<std::monostate, const Sphere*, const Plane*, const Quad*> closest;
+    //> try every shape; what hits becomes the closest and shortens the ray
     const auto test = [&](const auto& shape) {
         if (const auto t = intersect(shape, ray)) {
             ray.t_max = *t;
-            nearest = &shape;
+            closest = &shape;
         }
     };
     for (const Sphere& sphere : shapes.spheres) test(sphere);
@@ -36,8 +36,8 @@ inline std::optional<Hit> intersect(const Shapes& shapes, Ray ray) {
     for (const Quad& quad : shapes.quads) test(quad);
     //<
     return match(
-        nearest, [](std::monostate) { return std::optional<Hit>(); },
-        [&](const auto* shape) { return std::optional(surface(*shape, ray)); });
+        closest, [](std::monostate) { return std::optional<Hit>(); },
+        [&](const auto* shape) { return std::optional(surface_hit(*shape, ray)); });
 }
 
 /// Whether anything at all stands in the ray's interval: the first shape that does ends the search.

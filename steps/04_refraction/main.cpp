@@ -12,14 +12,14 @@ Scene glass_balls(float ior, float bubble, float absorption) {
     Scene scene;
     scene.sky = {.nadir = {0.95f, 0.62f, 0.4f}, .zenith = {0.12f, 0.36f, 0.85f}};
     const Medium glass{ior};
-    const int clear = add(scene.materials, Glass{glass});
+    const int clear = add(scene.materials, Dielectric{glass});
     const int air =
-        add(scene.materials, Glass{Medium{}, glass}); // inside the bubble is air, around it is glass
-    const int tinted = add(scene.materials, Glass{{ior, absorption * vec3(0.35f, 0.06f, 0.9f)}});
+        add(scene.materials, Dielectric{Medium{}, glass}); // inside the bubble is air, around it is glass
+    const int tinted = add(scene.materials, Dielectric{{ior, absorption * vec3(0.35f, 0.06f, 0.9f)}});
     const int coral = add(scene.materials, Diffuse{{0.85f, 0.25f, 0.18f}});
     const int navy = add(scene.materials, Diffuse{{0.1f, 0.18f, 0.5f}});
     const int lemon = add(scene.materials, Diffuse{{0.9f, 0.75f, 0.15f}});
-    const int floor = add(scene.materials, Checker{{0.72f, 0.62f, 0.5f}, {0.32f, 0.2f, 0.15f}, 0.5f});
+    const int floor = add(scene.materials, Checkerboard{{0.72f, 0.62f, 0.5f}, {0.32f, 0.2f, 0.15f}, 0.5f});
     scene.lights = {{{-3, 6, 4}, vec3(50, 47, 40)}};
     scene.spheres = {{{0, 0.85f, 0}, 0.85f, clear},          {{0, 0.85f, 0}, 0.85f * bubble, air},
                      {{-1.6f, 0.62f, 0.35f}, 0.62f, clear},  {{1.55f, 0.6f, 0.45f}, 0.6f, tinted},
@@ -40,17 +40,18 @@ int main(int argc, char** argv) {
     const int& depth =
         options.knob("depth", 7, 0, 14,
                      "boundaries that a ray may meet; beyond them it is black; each takes 1.5 times as long");
-    const auto view = view_knob(options);
-    const CameraKnobs camera_knobs(options, {.from = {0.3f, 1.55f, 5.6f}, .at = {0, 0.68f, 0}, .fov = 34});
+    const auto view = view_option(options);
+    const CameraOptions camera_options(options,
+                                       {.from = {0.3f, 1.55f, 5.6f}, .at = {0, 0.68f, 0}, .fov = 34});
 
     return run_program(options, argc, argv, [&](const RenderCall& render) {
         const Scene scene = glass_balls(ior, bubble, absorption);
-        const Pose pose = camera_knobs.pose();
-        const Camera camera = make_camera(pose, options.picture().width, options.picture().height);
+        const LookAt look_at = camera_options.look_at();
+        const Camera camera = make_camera(look_at, options.picture().width, options.picture().height);
         render([&](Sample& sample) {
-            const Ray ray = camera_ray(camera, vec2(sample.x, sample.y) + in_pixel(sample.index));
-            if (view == View::light) return radiance(scene, ray, depth);
-            return what_is_hit(scene, ray, view, distance(pose.from, pose.at));
+            const Ray ray = camera_ray(camera, vec2(sample.x, sample.y) + r2_offset(sample.index));
+            if (view == DebugView::radiance) return radiance(scene, ray, depth);
+            return debug_colour(scene, ray, view, distance(look_at.from, look_at.at));
         });
     });
 }

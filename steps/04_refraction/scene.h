@@ -1,13 +1,13 @@
 // What the world is made of: shapes, materials by index, lights, and a sky around it all.
 #pragma once
 
-#include "01_spheres/background.h"
 #include "01_spheres/checkerboard.h"
 #include "01_spheres/diffuse.h"
-#include "02_shadows/light.h"
+#include "01_spheres/sky.h"
+#include "02_shadows/point_light.h"
 #include "03_mirror/mirror.h"
 #include "03_mirror/shapes.h"
-#include "04_refraction/glass.h"
+#include "04_refraction/dielectric.h"
 #include "common/util/add.h"
 
 #include <variant>
@@ -15,7 +15,7 @@
 
 namespace rt {
 
-using Material = std::variant<Diffuse, Checker, Mirror, Reflective, Glass>;
+using Material = std::variant<Diffuse, Checkerboard, Mirror, Coated, Dielectric>;
 
 struct Scene : Shapes {
     Sky sky;

@@ -9,10 +9,10 @@
 using namespace rt;
 
 /// A glazed teapot of 57,360 triangles, one of 552 that shows its facets, and a cat.
-Pose tea_table(Scene& scene) {
+LookAt tea_table(Scene& scene) {
     scene.sky = {.nadir = {0.3f, 0.26f, 0.24f}, .zenith = {0.36f, 0.46f, 0.62f}};
     scene.lights = {{{-2.6f, 4.2f, 3.4f}, vec3(50, 45, 37)}};
-    const int floor = add(scene.materials, Checker{{0.62f, 0.58f, 0.53f}, {0.5f, 0.45f, 0.4f}, 0.6f});
+    const int floor = add(scene.materials, Checkerboard{{0.62f, 0.58f, 0.53f}, {0.5f, 0.45f, 0.4f}, 0.6f});
     scene.planes = {{{0, 0, 0}, {0, 1, 0}, floor}};
 
     ObjFile fine = read_obj(asset("teapot_fine.obj"));
@@ -40,24 +40,24 @@ int main(int argc, char** argv) {
     const ModelKnobs model(options);
     const auto accel = accel_knob(options, Accel::bvh);
     const int& depth = options.knob("depth", 6, 0, 24, "mirrors and boundaries that a ray may meet");
-    const auto view = view_knob(options);
-    const CameraKnobs camera_knobs(options,
-                                   {.from = {0.35f, 1.5f, 4.2f}, .at = {0.12f, 0.48f, 0}, .fov = 32});
+    const auto view = view_option(options);
+    const CameraOptions camera_options(options,
+                                       {.from = {0.35f, 1.5f, 4.2f}, .at = {0.12f, 0.48f, 0}, .fov = 32});
 
     return run_program(options, argc, argv, [&](const RenderCall& render) {
         const auto [width, height] = std::pair(options.picture().width, options.picture().height);
         Scene scene;
         scene.accel = accel;
-        scene.count_tests = view == View::work;
+        scene.count_tests = view == DebugView::traversal_cost;
         const bool own = !model.mesh.empty();
-        const Pose pose = camera_knobs.pose(own ? stage_model(scene, model, float(width) / float(height))
-                                                : tea_table(scene));
+        const LookAt look_at = camera_options.look_at_or(
+            own ? stage_model(scene, model, float(width) / float(height)) : tea_table(scene));
         prepare(scene);
-        const Camera camera = make_camera(pose, width, height);
+        const Camera camera = make_camera(look_at, width, height);
         render([&](Sample& sample) {
-            const Ray ray = camera_ray(camera, vec2(sample.x, sample.y) + in_pixel(sample.index));
-            if (view == View::light) return radiance(scene, ray, depth);
-            return what_is_hit(scene, ray, view, distance(pose.from, pose.at));
+            const Ray ray = camera_ray(camera, vec2(sample.x, sample.y) + r2_offset(sample.index));
+            if (view == DebugView::radiance) return radiance(scene, ray, depth);
+            return debug_colour(scene, ray, view, distance(look_at.from, look_at.at));
         });
     });
 }

@@ -75,14 +75,14 @@ inline vec3 clearing(vec3 direction, vec3 smooth, vec3 geometric) {
 }
 
 /// The hit at ray.t_max, where the ray was found to meet a triangle.
-inline Hit surface(const MeshHit& found, const Ray& ray) {
+inline Hit surface_hit(const MeshHit& found, const Ray& ray) {
     const Mesh& mesh = *found.mesh;
     const auto& corner = mesh.triangles[found.triangle];
-    const vec3 outward = vec3(normalize(area_normal(corners(mesh, found.triangle))));
-    const vec3 smooth = normalize(interpolate(mesh.normals, corner, found.u, found.v));
+    const vec3 outward_normal = vec3(normalize(area_normal(corners(mesh, found.triangle))));
+    const vec3 shading_normal = normalize(interpolate(mesh.normals, corner, found.u, found.v));
     const vec2 uv = interpolate(mesh.uvs, corner, found.u, found.v);
-    Hit hit = make_hit(ray, outward, smooth, uv, mesh.materials[found.triangle]);
-    hit.normal = clearing(normalize(ray.direction), hit.normal, hit.geometric_normal);
+    Hit hit = make_hit(ray, outward_normal, shading_normal, uv, mesh.materials[found.triangle]);
+    hit.shading_normal = clearing(normalize(ray.direction), hit.shading_normal, hit.geometric_normal);
     if (!mesh.colors.empty()) hit.tint = interpolate(mesh.colors, corner, found.u, found.v);
     return hit;
 }

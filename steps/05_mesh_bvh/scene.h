@@ -1,12 +1,12 @@
 // What the world is made of: shapes, materials by number, lights, and a sky around it all.
 #pragma once
 
-#include "01_spheres/background.h"
 #include "01_spheres/checkerboard.h"
 #include "01_spheres/diffuse.h"
-#include "02_shadows/light.h"
+#include "01_spheres/sky.h"
+#include "02_shadows/point_light.h"
 #include "03_mirror/mirror.h"
-#include "04_refraction/glass.h"
+#include "04_refraction/dielectric.h"
 #include "05_mesh_bvh/shapes.h"
 #include "common/util/add.h"
 
@@ -15,7 +15,7 @@
 
 namespace rt {
 
-using Material = std::variant<Diffuse, Checker, Mirror, Reflective, Glass>;
+using Material = std::variant<Diffuse, Checkerboard, Mirror, Coated, Dielectric>;
 
 struct Scene : Shapes {
     Sky sky;
@@ -26,10 +26,10 @@ struct Scene : Shapes {
 /// Puts a material of a model into the scene and answers its number: matte, under a mirror if it is
 /// reflective; or glass.
 inline int add_material(Scene& scene, const ObjMaterial& material) {
-    if (material.glass) return add(scene.materials, Glass{{material.ior}});
+    if (material.glass) return add(scene.materials, Dielectric{{material.ior}});
     const int base = add(scene.materials, Diffuse{material.diffuse, material.emission});
     if (material.reflectivity == 0) return base;
-    return add(scene.materials, Reflective{material.reflectivity, base});
+    return add(scene.materials, Coated{material.reflectivity, base});
 }
 
 /// Puts a model into the scene, with its materials. `crease` as in smooth_normals().

@@ -134,8 +134,8 @@ inline std::optional<Hit> intersect(const Shapes& shapes, Ray ray) {
         search_wide<accel::NoCounters>(shapes, ray, met);
     return match(
         met, [](std::monostate) { return std::optional<Hit>(); },
-        [&](const auto* shape) { return std::optional(surface(*shape, ray)); },
-        [&](const MeshHit& found) { return std::optional(surface(found, ray)); });
+        [&](const auto* shape) { return std::optional(surface_hit(*shape, ray)); },
+        [&](const MeshHit& found) { return std::optional(surface_hit(found, ray)); });
 }
 
 /// The wide trees' part of occluded().

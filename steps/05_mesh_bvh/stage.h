@@ -3,7 +3,7 @@
 #pragma once
 
 #include "01_spheres/camera.h"
-#include "02_shadows/light.h"
+#include "02_shadows/point_light.h"
 #include "05_mesh_bvh/mesh.h"
 #include "common/util/error.h"
 
@@ -13,7 +13,7 @@
 namespace rt {
 
 struct Stage {
-    Pose pose;        ///< shows all of the model from the front, a little from the right and from above
+    LookAt look_at;   ///< shows all of the model from the front, a little from the right and from above
     vec3 floor;       ///< a point of the floor, a hair's breadth under the model
     vec3 lamp;        ///< where a lamp stands, beside the camera and well above the model
     float lamp_scale; ///< metres^2: an intensity of this many W/sr sheds about 1 W/m^2 on the model
@@ -51,19 +51,19 @@ struct ModelKnobs {
 /// Puts the model into an empty scene, on a floor under a lamp and a cloudy sky, and answers the camera that
 /// shows it. A bare model gets no floor and no lamp, and no sky either if it brings light of its own.
 template <typename Scene>
-Pose stage_model(Scene& scene, const ModelKnobs& knobs, float aspect) {
+LookAt stage_model(Scene& scene, const ModelKnobs& knobs, float aspect) {
     const ObjFile file = read_obj(knobs.mesh);
     add_model(scene, file, knobs.crease);
     Stage stage = stage_for(bounds(scene.mesh), aspect);
-    stage.pose.origin = scene.mesh.origin;
+    stage.look_at.origin = scene.mesh.origin;
     const auto glows = [](const ObjMaterial& material) { return material.emission != vec3(0); };
     if (!knobs.bare || std::ranges::none_of(file.material_list, glows))
         scene.sky = {.nadir = {0.22f, 0.21f, 0.2f}, .zenith = {0.4f, 0.46f, 0.56f}};
-    if (knobs.bare) return stage.pose;
+    if (knobs.bare) return stage.look_at;
     const int floor = add(scene.materials, Diffuse{vec3(0.55f, 0.53f, 0.5f)});
     scene.planes = {{stage.floor, {0, 1, 0}, floor}};
     scene.lights = {{stage.lamp, stage.lamp_scale * vec3(2.3f, 2.15f, 1.9f)}};
-    return stage.pose;
+    return stage.look_at;
 }
 
 } // namespace rt

@@ -9,10 +9,10 @@
 using namespace rt;
 
 /// A cow and a cat on a checkered lawn, a globe, and the test card on an easel.
-Pose meadow(Scene& scene, int tiles) {
+LookAt meadow(Scene& scene, int tiles) {
     scene.sky = {.nadir = {0.42f, 0.4f, 0.34f}, .zenith = {0.3f, 0.48f, 0.85f}};
     scene.lights = {{{-4.5f, 7, 6}, vec3(165, 150, 125)}};
-    const int lawn = add(scene.materials, Checker{{0.36f, 0.56f, 0.2f}, {0.28f, 0.47f, 0.16f}, 0.5f});
+    const int lawn = add(scene.materials, Checkerboard{{0.36f, 0.56f, 0.2f}, {0.28f, 0.47f, 0.16f}, 0.5f});
     scene.planes = {{{0, 0, 0}, {0, 1, 0}, lawn}};
 
     const int globe =
@@ -38,24 +38,24 @@ int main(int argc, char** argv) {
     const int& tiles = options.knob("tiles", 1, 1, 50, "how often the test card repeats, each way");
     const auto accel = accel_knob(options, Accel::wide);
     const int& depth = options.knob("depth", 6, 0, 24, "mirrors and boundaries that a ray may meet");
-    const auto view = view_knob(options);
-    const CameraKnobs camera_knobs(options,
-                                   {.from = {0.25f, 1.35f, 5.0f}, .at = {0.25f, 0.6f, 0}, .fov = 33});
+    const auto view = view_option(options);
+    const CameraOptions camera_options(options,
+                                       {.from = {0.25f, 1.35f, 5.0f}, .at = {0.25f, 0.6f, 0}, .fov = 33});
 
     return run_program(options, argc, argv, [&](const RenderCall& render) {
         const auto [width, height] = std::pair(options.picture().width, options.picture().height);
         Scene scene;
         scene.accel = accel;
-        scene.count_tests = view == View::work;
+        scene.count_tests = view == DebugView::traversal_cost;
         const bool own = !model.mesh.empty();
-        const Pose pose = camera_knobs.pose(own ? stage_model(scene, model, float(width) / float(height))
-                                                : meadow(scene, tiles));
+        const LookAt look_at = camera_options.look_at_or(
+            own ? stage_model(scene, model, float(width) / float(height)) : meadow(scene, tiles));
         prepare(scene);
-        const Camera camera = make_camera(pose, width, height);
+        const Camera camera = make_camera(look_at, width, height);
         render([&](Sample& sample) {
-            const Ray ray = camera_ray(camera, vec2(sample.x, sample.y) + in_pixel(sample.index));
-            if (view == View::light) return radiance(scene, ray, depth);
-            return what_is_hit(scene, ray, view, distance(pose.from, pose.at));
+            const Ray ray = camera_ray(camera, vec2(sample.x, sample.y) + r2_offset(sample.index));
+            if (view == DebugView::radiance) return radiance(scene, ray, depth);
+            return debug_colour(scene, ray, view, distance(look_at.from, look_at.at));
         });
     });
 }

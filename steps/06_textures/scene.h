@@ -1,12 +1,12 @@
 // What the world is made of: shapes, materials by number, lights, and a sky around it all.
 #pragma once
 
-#include "01_spheres/background.h"
 #include "01_spheres/checkerboard.h"
 #include "01_spheres/diffuse.h"
-#include "02_shadows/light.h"
+#include "01_spheres/sky.h"
+#include "02_shadows/point_light.h"
 #include "03_mirror/mirror.h"
-#include "04_refraction/glass.h"
+#include "04_refraction/dielectric.h"
 #include "06_textures/cutout.h"
 #include "06_textures/texture.h"
 #include "common/util/add.h"
@@ -16,7 +16,7 @@
 
 namespace rt {
 
-using Material = std::variant<Diffuse, Checker, Mirror, Reflective, Glass, Textured>;
+using Material = std::variant<Diffuse, Checkerboard, Mirror, Coated, Dielectric, Textured>;
 
 struct Scene : CutOutShapes {
     Sky sky;
@@ -28,13 +28,13 @@ struct Scene : CutOutShapes {
 /// Puts a material of a model into the scene and answers its number: matte or textured, under a mirror if it
 /// is reflective; or glass. The model's textures start at number `first_texture`.
 inline int add_material(Scene& scene, const ObjMaterial& material, int first_texture) {
-    if (material.glass) return add(scene.materials, Glass{{material.ior}});
+    if (material.glass) return add(scene.materials, Dielectric{{material.ior}});
     const int base = material.texture < 0
                          ? add(scene.materials, Diffuse{material.diffuse, material.emission})
                          : add(scene.materials, Textured{first_texture + material.texture, material.diffuse,
                                                          material.emission});
     if (material.reflectivity == 0) return base;
-    return add(scene.materials, Reflective{material.reflectivity, base});
+    return add(scene.materials, Coated{material.reflectivity, base});
 }
 
 /// Puts a model into the scene, with its materials, textures and masks. A material that glows has no holes.

@@ -34,21 +34,22 @@ struct Lens {
 /// As camera_ray(), but from the point of the lens that u in [0, 1)^2 picks. The lens stands around the
 /// camera's origin, at right angles to `forward`. What is d metres ahead is seen as a disk, whose width on
 /// the plane in focus is aperture |d - focus| / d, the circle of confusion.
-inline Ray lens_ray(const Camera& camera, const Lens& lens, vec2 pixel, vec2 u) {
-    const Ray ray = camera_ray(camera, pixel);
+inline Ray lens_ray(const Camera& camera, const Lens& lens, vec2 film_point, vec2 u) {
+    const Ray ray = camera_ray(camera, film_point);
     if (lens.aperture == 0) return ray;
     //> the pinhole's ray says what is in focus there; aim at that from the lens
     const vec3 in_focus =
         ray.direction * (lens.focus / dot(ray.direction, camera.forward)); // from the origin
     const vec2 p = lens.aperture / 2 * disk_point(u);
-    const vec3 on_lens = p.x * normalize(camera.right) + p.y * normalize(camera.up);
+    const vec3 on_lens = p.x * normalize(camera.half_width) + p.y * normalize(camera.half_height);
     return {ray.origin + on_lens, normalize(in_focus - on_lens)};
     //< return ray;
 }
 
 /// The ray with which a sample looks through this point of the picture. A pinhole asks for no numbers.
-inline Ray picture_ray(const Camera& camera, const Lens& lens, vec2 pixel, Sampler& sampler) {
-    return lens.aperture > 0 ? lens_ray(camera, lens, pixel, sampler.uniform2()) : camera_ray(camera, pixel);
+inline Ray picture_ray(const Camera& camera, const Lens& lens, vec2 film_point, Sampler& sampler) {
+    return lens.aperture > 0 ? lens_ray(camera, lens, film_point, sampler.uniform2())
+                             : camera_ray(camera, film_point);
 }
 
 /// Declares --aperture and --focus.
@@ -62,10 +63,10 @@ struct LensKnobs {
 
     /// Of a camera that stands like that: `other`, but for the knobs that the user has turned. A focus of 0
     /// stands for the distance to what the camera looks at.
-    Lens lens(const Pose& pose, const Lens& other = {.aperture = 0, .focus = 0}) const {
+    Lens lens(const LookAt& look_at, const Lens& other = {.aperture = 0, .focus = 0}) const {
         const float width = options.given("aperture") ? aperture : other.aperture;
         const float ahead = options.given("focus") ? focus : other.focus;
-        return {width, ahead > 0 ? ahead : distance(pose.from, pose.at)};
+        return {width, ahead > 0 ? ahead : distance(look_at.from, look_at.at)};
     }
 
     const Options& options;

@@ -25,16 +25,16 @@ Bitmap zone_plate(int size) {
 
 /// Everything that shows jagged edges: a floor to the horizon, a picture of rings that grow finer and finer,
 /// a slanted edge, and a bright wire thinner than a pixel.
-Pose test_chart(Scene& scene) {
+LookAt test_chart(Scene& scene) {
     scene.sky = {.nadir = {0.5f, 0.46f, 0.42f}, .zenith = {0.28f, 0.4f, 0.66f}};
     scene.lights = {{{-3, 5, 5}, vec3(85, 80, 70)}};
-    const int floor = add(scene.materials, Checker{{0.75f, 0.72f, 0.66f}, {0.1f, 0.12f, 0.16f}, 0.5f});
+    const int floor = add(scene.materials, Checkerboard{{0.75f, 0.72f, 0.66f}, {0.1f, 0.12f, 0.16f}, 0.5f});
     scene.planes = {{{0, 0, 0}, {0, 1, 0}, floor}};
 
     const int rings = add(scene.materials, Textured{add(scene.textures, make_texture(zone_plate(1024)))});
     const int white = add(scene.materials, Diffuse{vec3(0.85f)});
     const int black = add(scene.materials, Diffuse{vec3(0.03f)});
-    const int wire = add(scene.materials, flat(vec3(3.0f, 2.6f, 1.6f)));
+    const int wire = add(scene.materials, emissive(vec3(3.0f, 2.6f, 1.6f)));
     scene.quads = {{{-1.75f, 0.15f, -0.6f}, {1.7f, 0, -0.1f}, {0, 1.7f, 0}, rings},
                    {{0.35f, 0.15f, -0.75f}, {1.5f, 0, 0.25f}, {0, 1.7f, 0}, white},
                    {{0.47f, 0.19f, -0.72f}, {1.22f, 0.3f, 0.2f}, {-0.02f, 0.75f, 0}, black},
@@ -58,26 +58,26 @@ int main(int argc, char** argv) {
     const LensKnobs lens_knobs(options);
     const auto accel = accel_knob(options, Accel::wide);
     const int& depth = options.knob("depth", 6, 0, 24, "mirrors and boundaries that a ray may meet");
-    const auto view = view_knob(options);
-    const CameraKnobs camera_knobs(options, {.from = {0, 1.25f, 5.2f}, .at = {0, 0.95f, 0}, .fov = 32});
+    const auto view = view_option(options);
+    const CameraOptions camera_options(options, {.from = {0, 1.25f, 5.2f}, .at = {0, 0.95f, 0}, .fov = 32});
 
     return run_program(options, argc, argv, [&](const RenderCall& render) {
         const auto [width, height] = std::pair(options.picture().width, options.picture().height);
         Scene scene;
         scene.accel = accel;
-        scene.count_tests = view == View::work;
+        scene.count_tests = view == DebugView::traversal_cost;
         const bool own = !model.mesh.empty();
-        const Pose pose = camera_knobs.pose(own ? stage_model(scene, model, float(width) / float(height))
-                                                : test_chart(scene));
+        const LookAt look_at = camera_options.look_at_or(
+            own ? stage_model(scene, model, float(width) / float(height)) : test_chart(scene));
         prepare(scene);
-        const Camera camera = make_camera(pose, width, height);
-        const Lens lens = lens_knobs.lens(pose);
+        const Camera camera = make_camera(look_at, width, height);
+        const Lens lens = lens_knobs.lens(look_at);
         render([&](const Sample& sample) {
             Sampler sampler(sampler_kind, sample);
             const vec2 point = picture_point(sample, sampler, filter, filter_width);
             const Ray ray = picture_ray(camera, lens, point, sampler);
-            if (view == View::light) return radiance(scene, ray, depth);
-            return what_is_hit(scene, ray, view, distance(pose.from, pose.at));
+            if (view == DebugView::radiance) return radiance(scene, ray, depth);
+            return debug_colour(scene, ray, view, distance(look_at.from, look_at.at));
         });
     });
 }

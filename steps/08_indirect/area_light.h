@@ -1,9 +1,9 @@
 // Area lights: surfaces that glow, asked directly instead of waiting for a path to find them.
 #pragma once
 
-#include "02_shadows/light.h"
+#include "02_shadows/point_light.h"
 #include "03_mirror/quad.h"
-#include "04_refraction/glass.h"
+#include "04_refraction/dielectric.h"
 #include "05_mesh_bvh/mesh.h"
 #include "06_textures/texture.h"
 #include "08_indirect/bounce.h"
@@ -41,7 +41,7 @@ inline float area(const Sphere& sphere) {
 }
 
 /// Points spread evenly over a shape, from u in [0, 1)^2; in double and rounded once, so that a shadow ray
-/// that ends `epsilon` before one does not meet the light itself.
+/// that ends `relative_epsilon` before one does not meet the light itself.
 inline LightPoint light_point(const Quad& quad, vec2 u) {
     const dvec3 across = double(u.x) * dvec3(quad.edge_u) + double(u.y) * dvec3(quad.edge_v);
     return {vec3(dvec3(quad.corner) + across), normalize(cross(quad.edge_u, quad.edge_v))};
@@ -81,7 +81,7 @@ vec3 emission(const S& scene, int material) {
     return match(
         scene.materials[std::size_t(material)], [](const Diffuse& diffuse) { return diffuse.emission; },
         [](const Textured& textured) { return textured.emission; },
-        [&](const Reflective& coat) { return (1 - coat.reflectivity) * emission(scene, coat.base); },
+        [&](const Coated& coat) { return (1 - coat.reflectivity) * emission(scene, coat.base); },
         [](const auto&) { return vec3(0); });
 }
 
@@ -149,7 +149,7 @@ inline float share(float p, float q) {
 /// The light shines to both sides; V is 1 if the two points see each other, else 0. `absorption` is that of
 /// the medium between them. `rivals`: the spread of bounces that look for the same lights and take their
 /// share.
-template <CastsShadows S, UniformSource Source>
+template <Occludable S, UniformSource Source>
 vec3 area_light(const S& scene, const AreaLights& lights, const Hit& hit, Source& source,
                 vec3 absorption = vec3(0), const Spread* rivals = nullptr) {
     if (lights.list.empty()) return vec3(0);
@@ -157,14 +157,14 @@ vec3 area_light(const S& scene, const AreaLights& lights, const Hit& hit, Source
     //> the light over its density, times the cosine and the share, if nothing stands between
     const vec3 way = point.position - hit.position;
     const float distance = length(way);
-    const float cosine = dot(way, hit.normal) / distance;
+    const float cosine = dot(way, hit.shading_normal) / distance;
     const float light_cosine = dot(way, point.normal) / distance;
     if (!(cosine > 0) || light_cosine == 0) return vec3(0);
     const float density = light_pdf(lights, point.emission, distance, light_cosine);
     const float weight = rivals ? share(density, bounce_pdf(*rivals, cosine)) : 1;
     const float side = light_cosine < 0 ? 1.0f : -1.0f; // stop just before the light itself
     const vec3 before = side * position_error(hit.position, point.position) * point.normal;
-    if (occluded(scene, segment_to(hit, point.position + before))) return vec3(0);
+    if (occluded(scene, spawn_ray_to(hit, point.position + before))) return vec3(0);
     const vec3 arriving = point.emission * (cosine * weight / density);
     return absorption == vec3(0) ? arriving : arriving * transmittance(absorption, distance);
     //< return vec3(0);

@@ -20,11 +20,11 @@ inline void add_box(Scene& scene, vec3 size, float turn, vec3 shift, int materia
         scene.quads.push_back(face);
 }
 
-inline Pose cornell(Scene& scene) {
+inline LookAt cornell(Scene& scene) {
     const int white = add(scene.materials, Diffuse{vec3(0.73f)});
     const int red = add(scene.materials, Diffuse{{0.65f, 0.05f, 0.05f}});
     const int green = add(scene.materials, Diffuse{{0.12f, 0.45f, 0.15f}});
-    const int lamp = add(scene.materials, flat(vec3(15)));
+    const int lamp = add(scene.materials, emissive(vec3(15)));
     const float side = 555;
     scene.quads = {{{0, 0, 0}, {side, 0, 0}, {0, 0, side}, white},    // floor
                    {{0, side, 0}, {0, 0, side}, {side, 0, 0}, white}, // ceiling

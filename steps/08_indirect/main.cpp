@@ -16,7 +16,7 @@ using namespace rt;
 enum class Show { room, furnace, cornell, weekend, animal };
 
 /// A white ball in an evenly white world. Whatever it receives it gives back, so it must not be seen at all.
-Pose furnace(Scene& scene) {
+LookAt furnace(Scene& scene) {
     scene.sky = {vec3(0.5f), vec3(0.5f)};
     const int white = add(scene.materials, Diffuse{vec3(1)});
     scene.spheres = {{{0, 0, 0}, 1, white}};
@@ -24,7 +24,7 @@ Pose furnace(Scene& scene) {
 }
 
 /// Builds one of the scenes that this step brings along.
-Pose build(Scene& scene, Show show) {
+LookAt build(Scene& scene, Show show) {
     switch (show) {
     case Show::furnace: return furnace(scene);
     case Show::cornell: return cornell(scene);
@@ -62,30 +62,30 @@ int main(int argc, char** argv) {
                                        "how bounces are spread: same picture, different noise");
     const bool& no_roulette =
         options.flag("no-roulette", "every path runs its full length: same picture, slower");
-    const auto view = view_knob(options);
-    const CameraKnobs camera_knobs(options, {.from = {0, 1, 4.6f}, .at = {0, 0.98f, 0}, .fov = 31});
+    const auto view = view_option(options);
+    const CameraOptions camera_options(options, {.from = {0, 1, 4.6f}, .at = {0, 0.98f, 0}, .fov = 31});
 
     return run_program(options, argc, argv, [&](const RenderCall& render) {
         const auto [width, height] = std::pair(options.picture().width, options.picture().height);
         Scene scene;
         scene.accel = accel;
-        scene.count_tests = view == View::work;
-        const Pose pose =
-            camera_knobs.pose(!model.mesh.empty() ? stage_model(scene, model, float(width) / float(height))
-                              : !spheres.empty()  ? weekend(scene, read_sphere_list(spheres))
-                                                  : build(scene, show));
+        scene.count_tests = view == DebugView::traversal_cost;
+        const LookAt look_at = camera_options.look_at_or(
+            !model.mesh.empty() ? stage_model(scene, model, float(width) / float(height))
+            : !spheres.empty()  ? weekend(scene, read_sphere_list(spheres))
+                                : build(scene, show));
         prepare(scene);
         const AreaLights lights = area_lights(scene);
         const Transport transport{depth, !no_indirect, direct, !no_roulette, spread};
-        const Camera camera = make_camera(pose, width, height);
+        const Camera camera = make_camera(look_at, width, height);
         const bool balls = model.mesh.empty() && (!spheres.empty() || show == Show::weekend);
-        const Lens lens = lens_knobs.lens(pose, balls ? weekend_lens : Lens{.focus = 0});
+        const Lens lens = lens_knobs.lens(look_at, balls ? weekend_lens : Lens{.focus = 0});
         render([&](const Sample& sample) {
             Sampler sampler(sampler_kind, sample);
             const vec2 point = picture_point(sample, sampler, filter, filter_width);
             const Ray ray = picture_ray(camera, lens, point, sampler);
-            if (view == View::light) return radiance(scene, lights, transport, ray, sampler);
-            return what_is_hit(scene, ray, view, distance(pose.from, pose.at));
+            if (view == DebugView::radiance) return radiance(scene, lights, transport, ray, sampler);
+            return debug_colour(scene, ray, view, distance(look_at.from, look_at.at));
         });
     });
 }

@@ -19,11 +19,11 @@ struct Metal {
 /// [0, 1)^2.
 inline std::optional<Ray> metal_ray(const Metal& metal, const Ray& ray, const Hit& hit, vec2 u) {
     //> the mirrored direction at unit length, plus fuzz times a random unit vector, if it leaves the surface
-    const vec3 mirrored = normalize(reflect(ray.direction, hit.normal));
+    const vec3 mirrored = normalize(reflect(ray.direction, hit.shading_normal));
     const vec3 direction = mirrored + metal.fuzz * unit_vector(u);
     if (dot(direction, hit.geometric_normal) <= 0) return std::nullopt;
-    return ray_from(hit, direction);
-    //< return mirror_ray(ray, hit);
+    return spawn_ray(hit, direction);
+    //< return reflected_ray(ray, hit);
 }
 
 } // namespace rt

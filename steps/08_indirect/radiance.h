@@ -2,8 +2,8 @@
 // truth.
 #pragma once
 
-#include "02_shadows/light.h"
-#include "04_refraction/glass.h"
+#include "02_shadows/point_light.h"
+#include "04_refraction/dielectric.h"
 #include "06_textures/texture.h"
 #include "08_indirect/area_light.h"
 #include "08_indirect/bounce.h"
@@ -36,39 +36,41 @@ struct Specular {
 
 /// What the surface does with a path: it is matte, or it sends the path on. Where light has two ways, chance
 /// picks one in proportion to its share, so that the weight is the same for both.
-template <CastsShadows S, UniformSource Source>
+template <Occludable S, UniformSource Source>
 std::variant<Diffuse, Specular> meet(const S& scene, const Ray& ray, const Hit& hit, vec3 absorption,
                                      Source& source) {
     using Result = std::variant<Diffuse, Specular>;
-    const auto mirrored = [&](vec3 tint) { return Specular{mirror_ray(ray, hit), tint, absorption}; };
+    const auto mirrored = [&](vec3 reflectance) {
+        return Specular{reflected_ray(ray, hit), reflectance, absorption};
+    };
     int material = hit.material;
-    while (const auto* coat = std::get_if<Reflective>(&scene.materials[std::size_t(material)])) {
-        if (source.uniform() < coat->reflectivity) return mirrored(coat->tint);
+    while (const auto* coat = std::get_if<Coated>(&scene.materials[std::size_t(material)])) {
+        if (source.uniform() < coat->reflectivity) return mirrored(coat->reflectance);
         material = coat->base;
     }
     return match(
         scene.materials[std::size_t(material)],
         [&](const auto& matte) -> Result { return matte_at(matte, scene, hit); },
-        [&](const Mirror& mirror) -> Result { return mirrored(mirror.tint); },
+        [&](const Mirror& mirror) -> Result { return mirrored(mirror.reflectance); },
         [&](const Metal& metal) -> Result {
             const auto onward = metal_ray(metal, ray, hit, source.uniform2());
             if (!onward) return Diffuse{vec3(0)}; // it ends here
             return Specular{*onward, metal.albedo, absorption};
         },
-        [&](const Reflective&) -> Result { return Diffuse{vec3(0)}; }, // taken off above
-        [&](const Glass& glass) -> Result {
-            const Boundary side = boundary(glass, ray, hit);
-            const auto onward = refracted_ray(ray, hit, side);
-            if (!onward || source.uniform() < side.reflectance) return mirrored(vec3(1));
-            return Specular{*onward, vec3(1), side.beyond.absorption};
+        [&](const Coated&) -> Result { return Diffuse{vec3(0)}; }, // taken off above
+        [&](const Dielectric& dielectric) -> Result {
+            const Interface interface = make_interface(dielectric, ray, hit);
+            const auto onward = refracted_ray(ray, hit, interface);
+            if (!onward || source.uniform() < interface.reflectance) return mirrored(vec3(1));
+            return Specular{*onward, vec3(1), interface.transmitted_medium.absorption_coefficient};
         });
 }
 
 /// An estimate of the irradiance at the hit from all lights, as far as they are to be asked for it, W/m^2.
-template <CastsShadows S, UniformSource Source>
+template <Occludable S, UniformSource Source>
 vec3 asked(const S& scene, const AreaLights& lights, const Transport& transport, const Hit& hit,
            vec3 absorption, Source& source) {
-    const vec3 from_points = direct_light(scene, hit);
+    const vec3 from_points = direct_irradiance(scene, hit);
     if (transport.direct == Direct::bounces) return from_points;
     const Spread* rivals = transport.direct == Direct::mis ? &transport.spread : nullptr;
     return from_points + area_light(scene, lights, hit, source, absorption, rivals);
@@ -89,7 +91,7 @@ float found(const S& scene, const AreaLights& lights, const Transport& transport
 /// calls is the solution of the rendering equation (Kajiya 1986), cut after `depth` bounces. Caustics of area
 /// lights are found by paths that run through glass or by mirrors into a lamp. Shortcut: a point light casts
 /// none, glass throws its full shadow.
-template <CastsShadows S, UniformSource Source>
+template <Occludable S, UniformSource Source>
 vec3 radiance(const S& scene, const AreaLights& lights, const Transport& transport, Ray ray, Source& source) {
     vec3 gathered(0), throughput(1), absorption(0);
     float density = infinity; // of the ray's direction; infinite from a mirror or the eye: no lamp was asked
@@ -117,11 +119,11 @@ vec3 radiance(const S& scene, const AreaLights& lights, const Transport& transpo
             throughput *= diffuse.albedo * hit->tint;
             gathered += throughput * asked(scene, lights, transport, *hit, absorption, source) / pi;
             //> the cosine over pi times the density, which is 1 where bounces go by the cosine
-            const vec3 direction = bounce_direction(transport.spread, hit->normal, source.uniform2());
-            const float cosine = dot(direction, hit->normal);
+            const vec3 direction = bounce_direction(transport.spread, hit->shading_normal, source.uniform2());
+            const float cosine = dot(direction, hit->shading_normal);
             density = bounce_pdf(transport.spread, cosine);
             throughput *= cosine / (pi * density);
-            ray = {offset_position(*hit, hit->geometric_normal), direction};
+            ray = {offset_ray_origin(*hit, hit->geometric_normal), direction};
             //< return gathered;
             matte = true;
         }

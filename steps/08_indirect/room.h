@@ -10,13 +10,13 @@ namespace rt {
 
 /// A box after the Cornell box, 2 m wide and open to the camera: red and green walls, a lamp in the ceiling,
 /// and in it a cow that looks at itself in a mirror ball, and a ball of glass.
-inline Pose room(Scene& scene) {
+inline LookAt room(Scene& scene) {
     const int white = add(scene.materials, Diffuse{vec3(0.74f, 0.72f, 0.68f)});
     const int red = add(scene.materials, Diffuse{{0.63f, 0.065f, 0.05f}});
     const int green = add(scene.materials, Diffuse{{0.14f, 0.45f, 0.09f}});
-    const int lamp = add(scene.materials, flat(vec3(11.5f, 9.4f, 6.6f)));
+    const int lamp = add(scene.materials, emissive(vec3(11.5f, 9.4f, 6.6f)));
     const int mirror = add(scene.materials, Mirror{vec3(0.93f)});
-    const int glass = add(scene.materials, Glass{Medium{1.5f}});
+    const int glass = add(scene.materials, Dielectric{Medium{1.5f}});
     scene.quads = {{{-1, 0, 1}, {2, 0, 0}, {0, 0, -2}, white}, // floor
                    {{-1, 2, -1}, {2, 0, 0}, {0, 0, 2}, white}, // ceiling
                    {{-1, 0, -1}, {2, 0, 0}, {0, 2, 0}, white}, // back

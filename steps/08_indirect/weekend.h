@@ -15,7 +15,7 @@ namespace rt {
 inline constexpr Lens weekend_lens{.aperture = 0.104720f, .focus = 10};
 
 /// The sky and the camera that go with it.
-inline Pose weekend_view(Scene& scene) {
+inline LookAt weekend_view(Scene& scene) {
     scene.sky = {.nadir = vec3(1), .zenith = {0.5f, 0.7f, 1}};
     return {.from = {13, 2, 3}, .at = {0, 0, 0}, .fov = 20};
 }
@@ -31,13 +31,13 @@ inline Material weekend_material(Random& random) {
         const vec3 albedo = three();
         return Diffuse{albedo * three()};
     }
-    if (kind >= 0.95f) return Glass{{1.5f}};
+    if (kind >= 0.95f) return Dielectric{{1.5f}};
     const vec3 albedo = 0.5f + 0.5f * three();
     return Metal{albedo, 0.5f * random.uniform()};
 }
 
 /// The same balls every time.
-inline Pose weekend(Scene& scene) {
+inline LookAt weekend(Scene& scene) {
     const auto ball = [&](vec3 center, float radius, const Material& material) {
         scene.spheres.push_back({center, radius, add(scene.materials, material)});
     };
@@ -50,18 +50,18 @@ inline Pose weekend(Scene& scene) {
             const Material material = weekend_material(random);
             if (distance(vec3(x, 0.2f, z), vec3(4, 0.2f, 0)) > 0.9f) ball({x, 0.2f, z}, 0.2f, material);
         }
-    ball({0, 1, 0}, 1, Glass{{1.5f}});
+    ball({0, 1, 0}, 1, Dielectric{{1.5f}});
     ball({-4, 1, 0}, 1, Diffuse{{0.4f, 0.2f, 0.1f}});
     ball({4, 1, 0}, 1, Metal{{0.7f, 0.6f, 0.5f}});
     return weekend_view(scene);
 }
 
 /// Balls from a list.
-inline Pose weekend(Scene& scene, const std::vector<ListedSphere>& list) {
+inline LookAt weekend(Scene& scene, const std::vector<ListedSphere>& list) {
     for (const ListedSphere& ball : list) {
         const Material material = ball.kind == ListedSphere::Kind::metal
                                       ? Material(Metal{ball.albedo, ball.fuzz})
-                                  : ball.kind == ListedSphere::Kind::glass ? Material(Glass{{ball.ior}})
+                                  : ball.kind == ListedSphere::Kind::glass ? Material(Dielectric{{ball.ior}})
                                                                            : Material(Diffuse{ball.albedo});
         scene.spheres.push_back({ball.center, ball.radius, add(scene.materials, material)});
     }

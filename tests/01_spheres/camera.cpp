@@ -89,20 +89,20 @@ TEST_CASE("every ray of the camera has unit length and starts at the camera") {
 }
 
 TEST_CASE("an oblique camera looks at its point, with what is up in the upper half") {
-    const Pose pose{{4, 3, 2}, {1, 1, -1}, {0.4f, 1, 0.1f}, 50};
-    const Camera camera = make_camera(pose, 60, 40);
-    const vec3 forward = normalize(pose.at - pose.from);
+    const LookAt look_at{{4, 3, 2}, {1, 1, -1}, {0.4f, 1, 0.1f}, 50};
+    const Camera camera = make_camera(look_at, 60, 40);
+    const vec3 forward = normalize(look_at.at - look_at.from);
     const vec3 centre = camera_ray(camera, {30, 20}).direction;
     const vec3 top = camera_ray(camera, {30, 0}).direction;
     const vec3 bottom = camera_ray(camera, {30, 40}).direction;
     const vec3 left = camera_ray(camera, {0, 20}).direction;
     const vec3 right = camera_ray(camera, {60, 20}).direction;
-    CHECK_MESSAGE(centre == approx(forward), "the middle of the picture shows pose.at");
-    const vec3 side = cross(forward, pose.up);
+    CHECK_MESSAGE(centre == approx(forward), "the middle of the picture shows look_at.at");
+    const vec3 side = cross(forward, look_at.up);
     CHECK_MESSAGE(dot(top, side) == approx(0), "the middle column lies in the plane of `forward` and `up`");
     CHECK_MESSAGE(dot(bottom, side) == approx(0),
                   "the middle column lies in the plane of `forward` and `up`");
-    CHECK_MESSAGE(dot(top, pose.up) > dot(centre, pose.up), "the picture is upside down");
+    CHECK_MESSAGE(dot(top, look_at.up) > dot(centre, look_at.up), "the picture is upside down");
     CHECK_MESSAGE(dot(right, side) > 0, "the picture is mirrored");
     CHECK(dot(left, side) == approx(-dot(right, side)));
     CHECK_MESSAGE(dot(top - bottom, right - left) == approx(0), "rows and columns are at right angles");
@@ -119,12 +119,12 @@ TEST_CASE("neither the distance to the point nor the length of up changes the pi
 }
 
 TEST_CASE("the first sample of a pixel is its middle, and the others spread evenly over it") {
-    CHECK(in_pixel(0) == vec2(0.5f));
+    CHECK(r2_offset(0) == vec2(0.5f));
     int count[4][4] = {};
     bool within = true;
     std::set<std::pair<float, float>> different;
     for (int i = 0; i < 1600; ++i) {
-        const vec2 p = in_pixel(i);
+        const vec2 p = r2_offset(i);
         within = within && p.x >= 0 && p.x < 1 && p.y >= 0 && p.y < 1;
         if (!within) break;
         ++count[int(4 * p.x)][int(4 * p.y)];

@@ -8,14 +8,15 @@
 using namespace rt;
 
 TEST_CASE("the squares of a checker alternate on both sides of zero") {
-    const Checker checker{{0.8f, 0, 0}, {0, 0.3f, 0}, 0.5f};
+    const Checkerboard checkerboard{{0.8f, 0, 0}, {0, 0.3f, 0}, 0.5f};
     for (int row = -4; row < 4; ++row)
         for (int column = -4; column < 4; ++column) {
             const bool even = (row + column) % 2 == 0;
             for (const float inset : {0.02f, 0.25f, 0.48f}) {
                 const vec2 uv = 0.5f * vec2(column, row) + vec2(inset, 0.5f - inset);
                 INFO("square (" << column << ", " << row << ") at uv = " << to_text(uv));
-                CHECK_MESSAGE(at(checker, uv).albedo == approx(even ? checker.even : checker.odd),
+                CHECK_MESSAGE(evaluate(checkerboard, uv).albedo ==
+                                  approx(even ? checkerboard.even : checkerboard.odd),
                               "a cast to int makes the two squares beside zero one: take floor");
             }
         }

@@ -17,15 +17,16 @@ TEST_CASE("a hit turns both of its normals to the side that the ray comes from")
     const vec3 smooth = normalize(vec3(1.5f, 2, -2));
     const Ray toward{{5, 5, 5}, {-1, -3, 0.5f}, 0, 2}; // against the normal
     const Hit front = make_hit(toward, true_normal, smooth, {0.3f, 0.6f}, 4);
-    CHECK(front.normal == approx(smooth));
+    CHECK(front.shading_normal == approx(smooth));
     CHECK(front.geometric_normal == approx(true_normal));
-    CHECK_FALSE(front.inside);
+    CHECK_FALSE(front.back_face);
 
     const Ray along{{5, 5, 5}, {1, 3, -0.5f}, 0, 2}; // with the normal: it comes from behind
     const Hit back = make_hit(along, true_normal, smooth, {0.3f, 0.6f}, 4);
-    CHECK_MESSAGE(back.normal == approx(-smooth), "not turned: surfaces seen from behind will be black");
+    CHECK_MESSAGE(back.shading_normal == approx(-smooth),
+                  "not turned: surfaces seen from behind will be black");
     CHECK_MESSAGE(back.geometric_normal == approx(-true_normal), "not turned: offsets will go the wrong way");
-    CHECK_MESSAGE(back.inside, "d.n > 0 means that the ray leaves");
+    CHECK_MESSAGE(back.back_face, "d.n > 0 means that the ray leaves");
     for (const Hit& hit : {front, back}) {
         CHECK(hit.uv == approx(vec2(0.3f, 0.6f)));
         CHECK(hit.material == 4);
@@ -35,7 +36,8 @@ TEST_CASE("a hit turns both of its normals to the side that the ray comes from")
 TEST_CASE("the true surface says on which side a ray is, not the smooth normal") {
     const Hit hit =
         make_hit(Ray{{0, 0, 0}, {1, -0.1f, 0}, 0, 2}, {0, 1, 0}, normalize(vec3(0.4f, 1, 0)), {0, 0}, 0);
-    CHECK_FALSE_MESSAGE(hit.inside, "at a grazing angle an interpolated normal may lean away from the ray");
+    CHECK_FALSE_MESSAGE(hit.back_face,
+                        "at a grazing angle an interpolated normal may lean away from the ray");
     CHECK(hit.geometric_normal == approx(vec3(0, 1, 0)));
 }
 
@@ -55,11 +57,12 @@ TEST_CASE("a hit knows how far its position may be off, near and far from the or
         const auto t = intersect(sphere, ray);
         if (!t) continue;
         ray.t_max = *t;
-        const Hit hit = surface(sphere, ray);
+        const Hit hit = surface_hit(sphere, ray);
         const double off =
             std::abs(length(dvec3(hit.position) - dvec3(sphere.center)) - double(sphere.radius));
-        worst = std::max(worst, off / double(hit.error));
-        if (!(hit.error > 0 && hit.error < 1e-4f * 3 * scale)) worst = infinity;
+        worst = std::max(worst, off / double(hit.position_error));
+        if (!(hit.position_error > 0 && hit.position_error < 1e-4f * 3 * scale)) worst = infinity;
     }
-    CHECK_MESSAGE(worst < 1, "as a share of hit.error (infinity: an error of 0, or one that can be seen)");
+    CHECK_MESSAGE(worst < 1,
+                  "as a share of hit.position_error (infinity: an error of 0, or one that can be seen)");
 }

@@ -48,7 +48,7 @@ TEST_CASE("east on the map of a ball is to the right of whoever looks at it with
         const auto t = intersect(globe, ray);
         REQUIRE(t);
         ray.t_max = *t;
-        return surface(globe, ray).uv;
+        return surface_hit(globe, ray).uv;
     };
     CHECK_MESSAGE(uv({52, 50}).x > uv({48, 50}).x, "u grows to the left: the writing would be mirrored");
     CHECK_MESSAGE(uv({50, 48}).y > uv({50, 52}).y, "v grows downward: the map would hang upside down");

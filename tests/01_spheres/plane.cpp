@@ -35,20 +35,20 @@ TEST_CASE("a ray along a plane misses it") {
 
 TEST_CASE("a plane has two sides") {
     const Plane plane{{1, 1, 1}, vec3(2, 3, 6) / 7.0f, 3};
-    const Hit above = surface(plane, Ray{plane.point + 3.0f * plane.normal, -plane.normal, 0, 3});
-    CHECK(above.normal == approx(plane.normal));
-    CHECK_FALSE(above.inside);
+    const Hit above = surface_hit(plane, Ray{plane.point + 3.0f * plane.normal, -plane.normal, 0, 3});
+    CHECK(above.shading_normal == approx(plane.normal));
+    CHECK_FALSE(above.back_face);
     CHECK(above.material == 3);
     const Ray upward{plane.point - 3.0f * plane.normal, plane.normal};
     CHECK(t_of(intersect(plane, upward)) == approx(3));
-    const Hit below = surface(plane, Ray{upward.origin, upward.direction, 0, 3});
-    CHECK(below.normal == approx(-plane.normal));
-    CHECK(below.inside);
+    const Hit below = surface_hit(plane, Ray{upward.origin, upward.direction, 0, 3});
+    CHECK(below.shading_normal == approx(-plane.normal));
+    CHECK(below.back_face);
 }
 
 TEST_CASE("on a floor u runs along +x and v along -z, in metres") {
     const Plane floor{{2, -1, 3}, {0, 1, 0}, 0};
-    const Hit hit = surface(floor, Ray{{4.5f, 1, 4}, {0, -0.5f, 0}, 0, 4}); // meets (4.5, -1, 4)
+    const Hit hit = surface_hit(floor, Ray{{4.5f, 1, 4}, {0, -0.5f, 0}, 0, 4}); // meets (4.5, -1, 4)
     CHECK_MESSAGE(hit.uv == approx(vec2(2.5f, -1)), "uv counts from plane.point");
 }
 
@@ -59,7 +59,7 @@ TEST_CASE("on any plane the uv of two points are as far apart as the points") {
         const vec3 a = beside(plane.normal), b = cross(plane.normal, a);
         const auto uv = [&](float x, float y) {
             const vec3 point = plane.point + x * a + y * b;
-            return surface(plane, Ray{point + 2.0f * plane.normal, -plane.normal, 0, 2}).uv;
+            return surface_hit(plane, Ray{point + 2.0f * plane.normal, -plane.normal, 0, 2}).uv;
         };
         INFO("normal " << to_text(plane.normal));
         CHECK(distance(uv(1, 2), uv(-2, 6)) == approx(5, 1e-4f));

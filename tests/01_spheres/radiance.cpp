@@ -37,8 +37,9 @@ TEST_CASE("a matte ball shows albedo / pi of what the sky sheds on the side that
 
 TEST_CASE("a checker floor shows the colour of the square that is met") {
     Scene scene{.sky = {vec3(1), vec3(1)}};
-    scene.planes = {
-        {{0, -1, 0}, {0, 1, 0}, add(scene.materials, Checker{{0.8f, 0.2f, 0.1f}, {0.1f, 0.4f, 0.3f}, 0.5f})}};
+    scene.planes = {{{0, -1, 0},
+                     {0, 1, 0},
+                     add(scene.materials, Checkerboard{{0.8f, 0.2f, 0.1f}, {0.1f, 0.4f, 0.3f}, 0.5f})}};
     const auto seen = [&](float x, float z) { return radiance(scene, Ray{{x, 3, z}, {0, -2, 0}}); };
     CHECK(seen(0.2f, -0.3f) == approx(vec3(0.8f, 0.2f, 0.1f)));
     CHECK(seen(0.7f, -0.3f) == approx(vec3(0.1f, 0.4f, 0.3f)));
@@ -48,8 +49,8 @@ TEST_CASE("a checker floor shows the colour of the square that is met") {
 
 TEST_CASE("a ball hides what is behind it and takes its own material") {
     Scene scene;
-    scene.spheres = {{{0, 0, -9}, 3, add(scene.materials, flat({1, 0, 0}))},
-                     {{0, 0, -3}, 1, add(scene.materials, flat({0, 1, 0}))}};
+    scene.spheres = {{{0, 0, -9}, 3, add(scene.materials, emissive({1, 0, 0}))},
+                     {{0, 0, -3}, 1, add(scene.materials, emissive({0, 1, 0}))}};
     CHECK(radiance(scene, Ray{{0, 0, 0}, {0, 0, -2}}) == approx(vec3(0, 1, 0)));
     CHECK(radiance(scene, Ray{{0, 0, 0}, {0, 1.2f, -4.8f}}) == approx(vec3(0, 1, 0)));
     CHECK(radiance(scene, Ray{{0, 0, -5}, {0, 0, -2}}) == approx(vec3(1, 0, 0)));

@@ -14,10 +14,10 @@ using namespace rt;
 TEST_CASE("add answers the number of the material") {
     Scene scene;
     CHECK(add(scene.materials, Diffuse{vec3(0.1f)}) == 0);
-    CHECK(add(scene.materials, Checker{vec3(0.1f), vec3(0.2f)}) == 1);
-    CHECK(add(scene.materials, flat(vec3(1))) == 2);
+    CHECK(add(scene.materials, Checkerboard{vec3(0.1f), vec3(0.2f)}) == 1);
+    CHECK(add(scene.materials, emissive(vec3(1))) == 2);
     REQUIRE(scene.materials.size() == 3);
-    CHECK(std::holds_alternative<Checker>(scene.materials[1]));
+    CHECK(std::holds_alternative<Checkerboard>(scene.materials[1]));
 }
 
 TEST_CASE("in an empty scene a ray meets nothing") {

@@ -166,11 +166,11 @@ TEST_CASE("a floor that is a ball of 10 km radius is as smooth as a plane") {
         const double exact = c / (h + std::sqrt(h * h - a * c));
         worst_t = std::max(worst_t, std::abs(double(*t) - exact) / exact);
 
-        const Hit hit = surface(earth, Ray{eye, ray.direction, 0, *t});
+        const Hit hit = surface_hit(earth, Ray{eye, ray.direction, 0, *t});
         const double height = length(dvec3(hit.position) - dvec3(earth.center)) - 1e4;
         worst_height = std::max(worst_height, std::abs(height) / exact);
         const dvec3 up = normalize(dvec3(eye) + exact * d - dvec3(earth.center));
-        worst_normal = std::max(worst_normal, double(length(dvec3(hit.normal) - up)));
+        worst_normal = std::max(worst_normal, double(length(dvec3(hit.shading_normal) - up)));
         steps_back += *t <= last;
         last = *t;
     }
@@ -201,23 +201,25 @@ TEST_CASE("a marble of 1 cm radius is round from a kilometre away") {
 TEST_CASE("the normal of a ball points from its centre to the hit") {
     const auto t = intersect(ball, to_ball);
     REQUIRE(t_of(t) == approx(2));
-    const Hit hit = surface(ball, Ray{to_ball.origin, to_ball.direction, 0, *t});
+    const Hit hit = surface_hit(ball, Ray{to_ball.origin, to_ball.direction, 0, *t});
     std::string cause;
-    if (hit.normal == approx(-outward)) cause = "it points inward: hit - centre, not centre - hit";
-    if (hit.normal == approx(2.0f * outward)) cause = "it has length 2, the radius: it was not normalised";
-    if (hit.normal == approx(4.0f * outward)) cause = "it was multiplied by the radius";
-    if (hit.normal == approx(normalize(on_ball))) cause = "that is normalize(hit): right only at the origin";
-    CHECK_MESSAGE(hit.normal == approx(outward), cause);
+    if (hit.shading_normal == approx(-outward)) cause = "it points inward: hit - centre, not centre - hit";
+    if (hit.shading_normal == approx(2.0f * outward))
+        cause = "it has length 2, the radius: it was not normalised";
+    if (hit.shading_normal == approx(4.0f * outward)) cause = "it was multiplied by the radius";
+    if (hit.shading_normal == approx(normalize(on_ball)))
+        cause = "that is normalize(hit): right only at the origin";
+    CHECK_MESSAGE(hit.shading_normal == approx(outward), cause);
     CHECK(hit.geometric_normal == approx(outward));
     CHECK(hit.position == approx(on_ball));
-    CHECK_FALSE(hit.inside);
+    CHECK_FALSE(hit.back_face);
     CHECK(hit.material == 7);
 }
 
 TEST_CASE("seen from inside, the normal of a ball points to its centre") {
-    const Hit hit = surface(ball, Ray{from_within.origin, from_within.direction, 0, 2});
-    CHECK_MESSAGE(hit.normal == approx(-outward), "it must lie on the side that the ray comes from");
+    const Hit hit = surface_hit(ball, Ray{from_within.origin, from_within.direction, 0, 2});
+    CHECK_MESSAGE(hit.shading_normal == approx(-outward), "it must lie on the side that the ray comes from");
     CHECK(hit.geometric_normal == approx(-outward));
-    CHECK_MESSAGE(hit.inside, "the ray came from within the ball");
+    CHECK_MESSAGE(hit.back_face, "the ray came from within the ball");
     CHECK_MESSAGE(hit.uv == approx(sphere_uv(outward)), "the place on the map is the same from both sides");
 }

@@ -1,7 +1,7 @@
 // Facts about shadow acne: no point that faces the light is shadowed by its own surface.
 #include "tests/check.h"
 
-#include "02_shadows/light.h"
+#include "02_shadows/point_light.h"
 #include "02_shadows/scene.h"
 #include "common/math/random.h"
 
@@ -27,10 +27,10 @@ int shadowed_by_itself(const Sphere& ball, float lamp_distance, float eye_distan
             ++wrong;
             continue;
         }
-        const vec3 free = irradiance(light, hit->position, hit->normal);
+        const vec3 free = irradiance(light, hit->position, hit->shading_normal);
         if (free == vec3(0)) continue;
         ++facing;
-        wrong += !(direct_light(scene, *hit) == approx(free));
+        wrong += !(direct_irradiance(scene, *hit) == approx(free));
     }
     return facing < 1000 ? 20000 : wrong;
 }
@@ -82,7 +82,8 @@ TEST_CASE("no point of a floor is shadowed by the floor, from one's feet to the 
         const PointLight light{point + 4.0f * normal + 3.0f * a, vec3(20)};
         scene.lights = {light};
         const auto hit = intersect(scene, Ray{eye, 0.3f * (target - eye)});
-        if (!hit || !(direct_light(scene, *hit) == approx(irradiance(light, hit->position, hit->normal))))
+        if (!hit || !(direct_irradiance(scene, *hit) ==
+                      approx(irradiance(light, hit->position, hit->shading_normal))))
             ++wrong;
     }
     CHECK_MESSAGE(wrong == 0, "shadow acne on " << wrong << " of 10000 points");
@@ -94,8 +95,8 @@ TEST_CASE("a floor that is a ball of 10 km radius does not shadow itself") {
     for (int i = 0; i < 5000; ++i) {
         const float slope = -0.05f - 0.0004f * float(i);
         const auto hit = intersect(scene, Ray{{0.3f, 1.7f, 5.5f}, {0.4f, slope, -1}});
-        wrong += !hit || !(direct_light(scene, *hit) ==
-                           approx(irradiance(scene.lights[0], hit->position, hit->normal)));
+        wrong += !hit || !(direct_irradiance(scene, *hit) ==
+                           approx(irradiance(scene.lights[0], hit->position, hit->shading_normal)));
     }
     CHECK_MESSAGE(wrong == 0, "shadow acne on " << wrong << " of 5000 points");
 }

@@ -51,7 +51,7 @@ Scene room() {
     Scene scene;
     const int chalk = add(scene.materials, Diffuse{{0.8f, 0.4f, 0.6f}});
     const int lamp = add(scene.materials, Diffuse{{0.3f, 0.3f, 0.3f}, {0.5f, 0.2f, 0}});
-    const int floor = add(scene.materials, Checker{{0.7f, 0.6f, 0.5f}, {0.2f, 0.3f, 0.4f}, 0.5f});
+    const int floor = add(scene.materials, Checkerboard{{0.7f, 0.6f, 0.5f}, {0.2f, 0.3f, 0.4f}, 0.5f});
     scene.spheres = {
         {{0, 0.9f, 0}, 0.9f, chalk}, {{1.5f, 0.6f, 0.7f}, 0.4f, chalk}, {{-1.5f, 0.5f, 0.6f}, 0.5f, lamp}};
     scene.planes = {{{0, 0, 0}, {0.1f, 0.99f, -0.0994987f}, floor}};
@@ -141,7 +141,8 @@ TEST_CASE("a surface in shadow still shows what it sends out by itself") {
 
 TEST_CASE("each shape has its own material, and the nearest one shows") {
     Scene scene;
-    const int red = add(scene.materials, flat({1, 0, 0})), green = add(scene.materials, flat({0, 1, 0}));
+    const int red = add(scene.materials, emissive({1, 0, 0})),
+              green = add(scene.materials, emissive({0, 1, 0}));
     scene.spheres = {{{0, 0, -9}, 3, red}, {{0, 0, -3}, 1, green}};
     CHECK(radiance(scene, Ray{{0, 0, 0}, {0, 0, -2}}) == approx(vec3(0, 1, 0)));
     CHECK(radiance(scene, Ray{{0, 0, -5}, {0, 0, -2}}) == approx(vec3(1, 0, 0)));
@@ -149,8 +150,9 @@ TEST_CASE("each shape has its own material, and the nearest one shows") {
 
 TEST_CASE("a checker floor in the light shows the colour of its squares") {
     Scene scene;
-    scene.planes = {
-        {{0, 0, 0}, {0, 1, 0}, add(scene.materials, Checker{{0.8f, 0.2f, 0.1f}, {0.1f, 0.4f, 0.3f}, 0.5f})}};
+    scene.planes = {{{0, 0, 0},
+                     {0, 1, 0},
+                     add(scene.materials, Checkerboard{{0.8f, 0.2f, 0.1f}, {0.1f, 0.4f, 0.3f}, 0.5f})}};
     scene.lights = {{{0.7f, 2, -0.3f}, vec3(pi)}};
     CHECK(radiance(scene, Ray{{0.7f, 1, -0.3f}, {0, -0.5f, 0}}) == approx(vec3(0.1f, 0.4f, 0.3f) / 4.0f));
     scene.lights = {{{-0.2f, 2, 0.3f}, vec3(pi)}};

@@ -70,7 +70,8 @@ TEST_CASE("a floor is dark up to the very place where a ball touches it") {
     for (int i = 0; i < 100; ++i) {
         const vec3 point = touch + vec3(0.004f * float(i + 1), 0, 0); // to .4 metres from it
         const vec3 view = normalize(vec3(-1, -0.05f, 0.3f));
-        lit += direct_light(scene, make_hit(Ray{point - view, view, 0, 1}, {0, 1, 0}, {0, 0}, 0)) != vec3(0);
+        lit += direct_irradiance(scene, make_hit(Ray{point - view, view, 0, 1}, {0, 1, 0}, {0, 0}, 0)) !=
+               vec3(0);
     }
     CHECK_MESSAGE(lit == 0, lit << " of 100 points under the ball are lit");
 }

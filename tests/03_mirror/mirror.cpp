@@ -63,15 +63,15 @@ TEST_CASE("a corner of three mirrors sends a ray back where it came from") {
 
 TEST_CASE("a ray that is mirrored starts beside the surface, on the side that it came from") {
     const Hit hit = make_hit(Ray{somewhere - slanting, slanting, 0, 1}, tilted, {0, 0}, 0);
-    const Ray mirrored = mirror_ray({somewhere - slanting, slanting}, hit);
-    CHECK(mirrored.direction == approx(slanting - 2 * dot(slanting, tilted) * tilted));
-    CHECK_MESSAGE(dot(mirrored.origin - somewhere, tilted) > 0,
+    const Ray reflected = reflected_ray({somewhere - slanting, slanting}, hit);
+    CHECK(reflected.direction == approx(slanting - 2 * dot(slanting, tilted) * tilted));
+    CHECK_MESSAGE(dot(reflected.origin - somewhere, tilted) > 0,
                   "no offset, or one that goes inward: black pepper on the mirror");
-    CHECK_MESSAGE(distance(mirrored.origin, somewhere) < 1e-3f, "the offset can be seen");
-    CHECK_MESSAGE(mirrored.t_max == infinity, "a mirrored ray goes on for ever");
+    CHECK_MESSAGE(distance(reflected.origin, somewhere) < 1e-3f, "the offset can be seen");
+    CHECK_MESSAGE(reflected.t_max == infinity, "a mirrored ray goes on for ever");
 
     const Hit back = make_hit(Ray{somewhere + slanting, -slanting, 0, 1}, tilted, {0, 0}, 0);
-    const Ray behind = mirror_ray({somewhere + slanting, -slanting}, back);
+    const Ray behind = reflected_ray({somewhere + slanting, -slanting}, back);
     CHECK_MESSAGE(dot(behind.origin - somewhere, tilted) < 0,
                   "a mirror that is seen from its back reflects there");
     CHECK(dot(behind.direction, tilted) < 0);
@@ -80,10 +80,10 @@ TEST_CASE("a ray that is mirrored starts beside the surface, on the side that it
 TEST_CASE("a mirror turns rays around the normal to shade with, and starts them off the true surface") {
     const vec3 smooth = normalize(tilted + 0.4f * beside(tilted));
     const Hit hit = make_hit(Ray{somewhere - slanting, slanting, 0, 1}, tilted, smooth, {0, 0}, 0);
-    const Ray mirrored = mirror_ray({somewhere - slanting, slanting}, hit);
-    CHECK_MESSAGE(mirrored.direction == approx(slanting - 2 * dot(slanting, smooth) * smooth),
+    const Ray reflected = reflected_ray({somewhere - slanting, slanting}, hit);
+    CHECK_MESSAGE(reflected.direction == approx(slanting - 2 * dot(slanting, smooth) * smooth),
                   "turned around hit.geometric_normal, meshes that should look smooth mirror in facets");
-    CHECK_MESSAGE(dot(mirrored.origin - somewhere, beside(tilted)) == approx(0, 1e-6f),
+    CHECK_MESSAGE(dot(reflected.origin - somewhere, beside(tilted)) == approx(0, 1e-6f),
                   "the offset goes along hit.geometric_normal: the other may lean into the surface");
 }
 
@@ -100,7 +100,7 @@ TEST_CASE("a mirrored ray does not meet the ball that it comes from, of whatever
                 if (!t) continue;
                 ++hits;
                 ray.t_max = *t;
-                again += intersect(ball, mirror_ray(ray, surface(ball, ray))).has_value();
+                again += intersect(ball, reflected_ray(ray, surface_hit(ball, ray))).has_value();
             }
             INFO("radius " << radius << " around " << to_text(center));
             CHECK_MESSAGE(again == 0,

@@ -17,7 +17,7 @@ Scene path_of(const std::vector<vec3>& points, const std::vector<vec3>& tints, v
             normalize(normalize(points[i - 1] - points[i]) + normalize(points[i + 1] - points[i]));
         scene.quads.push_back(tile(points[i], normal, 0.2f, add(scene.materials, Mirror{tints[i - 1]})));
     }
-    scene.spheres = {{points.back(), 0.15f, add(scene.materials, flat(glow))}};
+    scene.spheres = {{points.back(), 0.15f, add(scene.materials, emissive(glow))}};
     return scene;
 }
 

@@ -62,7 +62,7 @@ TEST_CASE("u and v of a quad run along its edges from the corner") {
         CHECK_MESSAGE(quad_uv(quad, dvec3(on_quad(uv.x, uv.y))) == approx(uv),
                       "u along edge_u and v along edge_v, also if they are not at right angles");
     const Ray ray = to_quad(0.25f, 0.75f);
-    const Hit hit = surface(quad, Ray{ray.origin, ray.direction, 0, 1.5f});
+    const Hit hit = surface_hit(quad, Ray{ray.origin, ray.direction, 0, 1.5f});
     CHECK(hit.uv == approx(vec2(0.25f, 0.75f)));
     CHECK(hit.position == approx(on_quad(0.25f, 0.75f)));
     CHECK(hit.material == 5);
@@ -70,14 +70,14 @@ TEST_CASE("u and v of a quad run along its edges from the corner") {
 
 TEST_CASE("a quad faces the cross product of its edges, and its back is turned to who looks at it") {
     const Ray ray = to_quad(0.4f, 0.7f);
-    const Hit front = surface(quad, Ray{ray.origin, ray.direction, 0, 1.5f});
-    CHECK(front.normal == approx(quad_normal));
-    CHECK_FALSE(front.inside);
+    const Hit front = surface_hit(quad, Ray{ray.origin, ray.direction, 0, 1.5f});
+    CHECK(front.shading_normal == approx(quad_normal));
+    CHECK_FALSE(front.back_face);
     CHECK(front.geometric_normal == approx(quad_normal));
     const Ray from_behind{at(ray, 3), -ray.direction};
     CHECK(t_of(intersect(quad, from_behind)) == approx(1.5f));
-    const Hit back = surface(quad, Ray{from_behind.origin, from_behind.direction, 0, 1.5f});
-    CHECK(back.normal == approx(-quad_normal));
-    CHECK(back.inside);
+    const Hit back = surface_hit(quad, Ray{from_behind.origin, from_behind.direction, 0, 1.5f});
+    CHECK(back.shading_normal == approx(-quad_normal));
+    CHECK(back.back_face);
     CHECK(back.uv == approx(vec2(0.4f, 0.7f)));
 }

@@ -44,7 +44,7 @@ TEST_CASE("a mirror ball shows in each point what lies in the reflected directio
         const vec3 to = 2 * dot(from, n) * n - from;                   // as much to the other side of n
         Scene scene;
         add(scene.materials, Mirror{{0.5f, 0.9f, 0.2f}});
-        scene.spheres = {ball, {point + 9.0f * to, 0.1f, add(scene.materials, flat({3, 2, 1}))}};
+        scene.spheres = {ball, {point + 9.0f * to, 0.1f, add(scene.materials, emissive({3, 2, 1}))}};
         found += radiance(scene, Ray{point + 3.0f * from, -2.0f * from}, 1) == approx(vec3(1.5f, 1.8f, 0.2f));
     }
     CHECK_MESSAGE(found == 200, found << " of 200 mirrored targets were seen");
@@ -90,7 +90,8 @@ TEST_CASE("a ray may meet exactly as many mirrors as its depth says, and is blac
 TEST_CASE("at depth 0 mirrors are black and all else is as it is") {
     Scene scene = one_tile();
     add(scene.materials, Mirror{vec3(1)});
-    scene.quads.push_back(tile(somewhere + 9.0f * tilted, tilted, 1, add(scene.materials, flat({3, 2, 1}))));
+    scene.quads.push_back(
+        tile(somewhere + 9.0f * tilted, tilted, 1, add(scene.materials, emissive({3, 2, 1}))));
     CHECK(radiance(scene, to_tile, 0) == vec3(0));
     CHECK(radiance(scene, Ray{somewhere + 5.0f * tilted, 2.0f * tilted}, 0) == approx(vec3(3, 2, 1)));
     CHECK_MESSAGE(radiance(scene, Ray{somewhere + 5.0f * tilted, 2.0f * beside(tilted)}, 0) == approx(c),
@@ -124,7 +125,7 @@ TEST_CASE("inside a ball with a mirror for a wall, a lamp is seen by way of the 
     Scene scene;
     const vec3 lamp = somewhere + vec3(0, 0.5f, 0);
     add(scene.materials, Mirror{{0.9f, 0.5f, 1}});
-    scene.spheres = {{somewhere, 2, 0}, {lamp, 0.1f, add(scene.materials, flat({3, 2, 1}))}};
+    scene.spheres = {{somewhere, 2, 0}, {lamp, 0.1f, add(scene.materials, emissive({3, 2, 1}))}};
     // up to the wall through nothing, straight back, and on to the lamp from the other side
     CHECK(radiance(scene, Ray{somewhere + vec3(0, 1, 0), {0, 2, 0}}, 5) == approx(vec3(2.7f, 1, 1)));
     CHECK(radiance(scene, Ray{somewhere, {0, -2, 0}}, 5) == approx(vec3(2.7f, 1, 1)));

@@ -6,7 +6,7 @@ using namespace rt;
 
 TEST_CASE("a tinted ball absorbs along the chord that a ray cuts out of it") {
     const vec3 absorption{0.1f, 0.35f, 0.8f};
-    const Glassware scene = ball_of(Glass{{1, absorption}}); // n = 1, so that the chord is straight
+    const Glassware scene = ball_of(Dielectric{{1, absorption}}); // n = 1, so that the chord is straight
     for (const float offset : {0.0f, 0.3f, 0.6f, 0.9f}) {
         INFO("offset ", offset);
         const float chord = 2 * radius * std::sqrt(1 - offset * offset);
@@ -19,7 +19,7 @@ TEST_CASE("a tinted ball absorbs along the chord that a ray cuts out of it") {
 
 TEST_CASE("a refracted ray is absorbed along its refracted way") {
     const vec3 absorption{0.1f, 0.35f, 0.8f};
-    const Glassware scene = ball_of(Glass{{1.5f, absorption}});
+    const Glassware scene = ball_of(Dielectric{{1.5f, absorption}});
     const float f = 0.0415226f;                                            // at 30 degrees
     const float chord = 2 * radius * std::sqrt(1 - 0.25f / (1.5f * 1.5f)); // sin_t = sin_i / n
     CHECK_MESSAGE(radiance(scene, ray_beside(0.5f), 2) ==
@@ -29,14 +29,14 @@ TEST_CASE("a refracted ray is absorbed along its refracted way") {
 
 TEST_CASE("light that is reflected inside tinted glass goes on being absorbed") {
     const vec3 absorption{0.1f, 0.35f, 0.8f};
-    const Glassware scene = ball_of(Glass{{1.5f, absorption}});
+    const Glassware scene = ball_of(Dielectric{{1.5f, absorption}});
     const vec3 once = exp(-absorption * 2.0f * radius);
     CHECK(radiance(scene, ray_beside(0), 3) ==
           approx(vec3(0.04f) + 0.96f * 0.96f * once + 0.96f * 0.96f * 0.04f * once * once));
 }
 
 TEST_CASE("tinted glass absorbs inside it and nowhere else") {
-    const Glassware scene = ball_of(Glass{{1.5f, {0.1f, 0.35f, 0.8f}}});
+    const Glassware scene = ball_of(Dielectric{{1.5f, {0.1f, 0.35f, 0.8f}}});
     const vec3 near = radiance(scene, ray_beside(0.4f), 6);
     Ray far = ray_beside(0.4f);
     far.origin += 50.0f * normal;
@@ -47,8 +47,8 @@ TEST_CASE("tinted glass absorbs inside it and nowhere else") {
 
 TEST_CASE("a thing inside tinted glass is seen through the glass before it alone") {
     const vec3 absorption{0.1f, 0.35f, 0.8f};
-    Glassware scene = ball_of(Glass{{1, absorption}});
-    scene.spheres.push_back({center, 0.25f * radius, add(scene.materials, flat({0.5f, 2, 1}))});
+    Glassware scene = ball_of(Dielectric{{1, absorption}});
+    scene.spheres.push_back({center, 0.25f * radius, add(scene.materials, emissive({0.5f, 2, 1}))});
     CHECK(radiance(scene, ray_beside(0), 4) ==
           approx(vec3(0.5f, 2, 1) * exp(-absorption * 0.75f * radius), 1e-4f));
 }
@@ -56,8 +56,8 @@ TEST_CASE("a thing inside tinted glass is seen through the glass before it alone
 TEST_CASE("a bubble in tinted glass does not absorb, the glass around it does") {
     const vec3 absorption{0.1f, 0.35f, 0.8f};
     const Medium tinted{1, absorption};
-    Glassware scene = ball_of(Glass{tinted});
-    scene.spheres.push_back({center, 0.6f * radius, add(scene.materials, Glass{air, tinted})});
+    Glassware scene = ball_of(Dielectric{tinted});
+    scene.spheres.push_back({center, 0.6f * radius, add(scene.materials, Dielectric{air, tinted})});
     CHECK_MESSAGE(radiance(scene, ray_beside(0), 5) == approx(exp(-absorption * 2.0f * 0.4f * radius), 1e-4f),
                   "each boundary names the medium beyond it: after the bubble it is glass again");
 }
@@ -65,21 +65,21 @@ TEST_CASE("a bubble in tinted glass does not absorb, the glass around it does") 
 TEST_CASE("light to and from a mirror inside tinted glass is absorbed both ways") {
     const vec3 absorption{0.1f, 0.35f, 0.8f};
     const vec3 expected = vec3(0.5f, 0.6f, 0.7f) * exp(-absorption * 2.0f * 0.75f * radius);
-    Glassware scene = ball_of(Glass{{1, absorption}});
+    Glassware scene = ball_of(Dielectric{{1, absorption}});
     scene.spheres.push_back({center, 0.25f * radius, add(scene.materials, Mirror{{0.5f, 0.6f, 0.7f}})});
     CHECK(radiance(scene, ray_beside(0), 5) == approx(expected, 1e-4f));
 
     const int black = add(scene.materials, Diffuse{vec3(0)});
-    scene.spheres.back().material = add(scene.materials, Reflective{1, black, {0.5f, 0.6f, 0.7f}});
+    scene.spheres.back().material = add(scene.materials, Coated{1, black, {0.5f, 0.6f, 0.7f}});
     CHECK(radiance(scene, ray_beside(0), 5) == approx(expected, 1e-4f));
 }
 
 TEST_CASE("what glass under a coat reflects inside tinted glass is absorbed both ways too") {
     const vec3 absorption{0.1f, 0.35f, 0.8f};
     const Medium tinted{1, absorption};
-    Glassware scene = ball_of(Glass{tinted});
-    const int inner = add(scene.materials, Glass{glass_15, tinted});
-    scene.spheres.push_back({center, 0.25f * radius, add(scene.materials, Reflective{0, inner})});
+    Glassware scene = ball_of(Dielectric{tinted});
+    const int inner = add(scene.materials, Dielectric{glass_15, tinted});
+    scene.spheres.push_back({center, 0.25f * radius, add(scene.materials, Coated{0, inner})});
     // Three boundaries: in, back from the inner ball, out. All other ways meet more.
     CHECK(radiance(scene, ray_beside(0), 3) ==
           approx(0.04f * exp(-absorption * 2.0f * 0.75f * radius), 1e-5f));
@@ -92,6 +92,6 @@ TEST_CASE("an eye inside a medium sees through it") {
     CHECK_MESSAGE(radiance(scene, ray, 4, absorption) == approx(vec3(0)),
                   "an absorbing medium without end is black");
     CHECK_MESSAGE(radiance(scene, ray, 4) == approx(vec3(1)), "a clear one is not");
-    scene.spheres = {{vec3(1, 2, 3) - 4.0f * normal, 1.5f, add(scene.materials, flat({0.5f, 2, 1}))}};
+    scene.spheres = {{vec3(1, 2, 3) - 4.0f * normal, 1.5f, add(scene.materials, emissive({0.5f, 2, 1}))}};
     CHECK(radiance(scene, ray, 4, absorption) == approx(vec3(0.5f, 2, 1) * exp(-absorption * 2.5f)));
 }

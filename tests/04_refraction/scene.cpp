@@ -32,7 +32,7 @@ TEST_CASE("each kind of shape hides a light, glass as well as chalk") {
     level.planes = {{-2.0f * normal, normal, 0}};
     upright.quads = {{corner, 2.0f * tangent, 2.0f * binormal, 0}};
     for (Scene* scene : {&round, &level, &upright}) {
-        add(scene->materials, Glass{Medium{1.5f}});
+        add(scene->materials, Dielectric{Medium{1.5f}});
         CHECK_MESSAGE(occluded(*scene, between), "no shadow: a kind of shape is not asked");
         CHECK_MESSAGE(!occluded(*scene, before), "what stands beyond the light hides nothing");
     }

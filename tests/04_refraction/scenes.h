@@ -34,7 +34,7 @@ inline const vec3 center = {1, -2, 3};
 inline constexpr float radius = 2;
 
 /// One ball of radius 2 off the origin, in a world that shines white from everywhere.
-inline Glassware ball_of(const Glass& glass) {
+inline Glassware ball_of(const Dielectric& glass) {
     Glassware scene = white_furnace();
     scene.spheres = {{center, radius, add(scene.materials, glass)}};
     return scene;
@@ -49,21 +49,21 @@ inline Ray ray_beside(float offset) {
 inline std::optional<Ray> passed(const Glassware& scene, const Ray& ray) {
     const auto hit = intersect(scene, ray);
     if (!hit) return std::nullopt;
-    const Glass& glass = std::get<Glass>(scene.materials[std::size_t(hit->material)]);
-    return refracted_ray(ray, *hit, boundary(glass, ray, *hit));
+    const Dielectric& glass = std::get<Dielectric>(scene.materials[std::size_t(hit->material)]);
+    return refracted_ray(ray, *hit, make_interface(glass, ray, *hit));
 }
 
 /// A slab of glass between two planes at right angles to `normal`, its upper side through the origin.
 inline Glassware slab_of(const Medium& medium, float thickness) {
     Glassware scene;
-    const int glass = add(scene.materials, Glass{medium});
+    const int glass = add(scene.materials, Dielectric{medium});
     scene.planes = {{vec3(0), normal, glass}, {-thickness * normal, -normal, glass}};
     return scene;
 }
 
 inline const Medium air{};
 inline const Medium glass_15{1.5f};
-inline const Glass ball{glass_15};
-inline const Glass bubble{air, glass_15};
+inline const Dielectric ball{glass_15};
+inline const Dielectric bubble{air, glass_15};
 
 } // namespace rt

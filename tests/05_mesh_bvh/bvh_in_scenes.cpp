@@ -121,9 +121,9 @@ TEST_CASE("the tree finds what asking every sphere finds, alone and among triang
 TEST_CASE("the work view counts what is tested: every triangle by brute force, few by a tree") {
     const Scene scene = scene_of(random_triangles(2000, 0.2f));
     const Ray ray{{-1, 0.4f, 0.3f}, {2, 0.1f, 0.3f}};
-    const vec3 brute = what_is_hit(with(scene, Accel::brute), ray, View::work, 1);
-    CHECK(brute == approx(heat(std::log2(2001.0f) / 16)));
-    const vec3 tree = what_is_hit(with(scene, Accel::bvh), ray, View::work, 1);
+    const vec3 brute = debug_colour(with(scene, Accel::brute), ray, DebugView::traversal_cost, 1);
+    CHECK(brute == approx(heat_map(std::log2(2001.0f) / 16)));
+    const vec3 tree = debug_colour(with(scene, Accel::bvh), ray, DebugView::traversal_cost, 1);
     CHECK(tree.x > 0);
     CHECK(dot(tree, vec3(1)) < 0.7f * dot(brute, vec3(1))); // 11 doublings against 6
 }

@@ -1,6 +1,6 @@
 // Facts about where rays meet things: as exactly as a float can say, whatever the size of the shape, however it is
 // found; so that a new ray starts off the surface and on the right side of it.
-#include "02_shadows/offset.h"
+#include "02_shadows/spawn_ray.h"
 #include "05_mesh_bvh/scene.h"
 #include "common/math/random.h"
 #include "tests/check.h"
@@ -62,7 +62,7 @@ TEST_CASE("all ways of finding agree on t, among shapes whose sizes span six ord
         for (int i = 0; i < 4000; ++i, ++count) {
             Ray ray{4.0f * random_direction(random), random_direction(random)};
             if (i % 2 == 0) // from a surface, as bounces and shadow rays start
-                if (const auto hit = intersect(brute, ray)) ray = ray_from(*hit, random_direction(random));
+                if (const auto hit = intersect(brute, ray)) ray = spawn_ray(*hit, random_direction(random));
             if (i % 3 == 0) ray.t_max = 2;
             const auto right = intersect(brute, ray);
             hits += right.has_value();
@@ -103,9 +103,9 @@ TEST_CASE("a new ray starts off the surface and on the right side, whatever the 
         const auto hit = intersect(scene, Ray{eye, target - eye});
         if (!hit) continue; // the target is rounded, and the triangle may be seen edge-on
         for (const float side : {1.0f, -1.0f}) {
-            const vec3 origin = offset_position(*hit, side * hit->geometric_normal);
+            const vec3 origin = offset_ray_origin(*hit, side * hit->geometric_normal);
             const double above = double(side) * height_over_triangle(scene.mesh, 0, origin) *
-                                 (dot(hit->geometric_normal, n) > 0 ? 1 : -1) / double(hit->error);
+                                 (dot(hit->geometric_normal, n) > 0 ? 1 : -1) / double(hit->position_error);
             lowest = std::min(lowest, above);
             highest = std::max(highest, above);
         }
@@ -140,8 +140,8 @@ TEST_CASE("a floor of a metre or a kilometre throws no shadow on itself, and let
                 if (dot(way, hit->geometric_normal) < 0) way = -way;
                 if (i % 4 == 0)
                     way = normalize(way - 0.999f * dot(way, hit->geometric_normal) * hit->geometric_normal);
-                dark += occluded(found, segment_to(*hit, hit->position + 5.0f * way));
-                twice += intersect(found, ray_from(*hit, way)).has_value();
+                dark += occluded(found, spawn_ray_to(*hit, hit->position + 5.0f * way));
+                twice += intersect(found, spawn_ray(*hit, way)).has_value();
             }
             INFO("a floor of ", size, " m, accel ", int(found.accel), ", ", rays, " hits");
             CHECK(rays > 2000);
@@ -163,8 +163,8 @@ TEST_CASE("what lies behind the surface is hidden by it, however its normal is b
         const auto hit = intersect(found, Ray{2.0f * n - u, -n});
         REQUIRE(hit);
         const vec3 behind = hit->position + 3.0f * normalize(u - 0.05f * n);
-        CHECK(dot(behind - hit->position, hit->normal) > 0);
-        CHECK_MESSAGE(occluded(found, segment_to(*hit, behind)), "light leaks through the surface");
+        CHECK(dot(behind - hit->position, hit->shading_normal) > 0);
+        CHECK_MESSAGE(occluded(found, spawn_ray_to(*hit, behind)), "light leaks through the surface");
     }
 }
 
@@ -179,9 +179,9 @@ TEST_CASE("a model of a picometre or a petametre has normals, and is met where i
             const auto hit = intersect(found, Ray{from, normalize(center - from)});
             INFO("size ", size, ", accel ", int(found.accel));
             REQUIRE(hit);
-            CHECK(length(hit->normal) == approx(1));
+            CHECK(length(hit->shading_normal) == approx(1));
             CHECK(length(hit->geometric_normal) == approx(1));
-            CHECK_MESSAGE(dot(hit->normal, normalize(vec3(2, 3, -4))) == approx(1, 0.01f),
+            CHECK_MESSAGE(dot(hit->shading_normal, normalize(vec3(2, 3, -4))) == approx(1, 0.01f),
                           "smooth, and outward");
             CHECK(length((hit->position - center) / size) == approx(1, 0.02f));
         }

@@ -33,7 +33,7 @@ std::optional<Hit> intersect(const Scene& scene, Ray ray) {
         ray.t_max = float(uvt.z);
         nearest = MeshHit{&scene.mesh, i, float(uvt.x), float(uvt.y)};
     }
-    return nearest ? std::optional(surface(*nearest, ray)) : std::nullopt;
+    return nearest ? std::optional(surface_hit(*nearest, ray)) : std::nullopt;
 }
 
 } // namespace
@@ -65,8 +65,8 @@ TEST_CASE("the true normal of a hit is unit, at right angles to the triangle and
         REQUIRE(hit);
         CHECK_MESSAGE(hit->geometric_normal == approx(side * n),
                       "the corners run counter-clockwise from outside");
-        CHECK_MESSAGE(hit->inside == (side < 0), "inside: the ray comes from behind");
-        CHECK_MESSAGE(hit->normal == approx(side * normalize(vec3(1, -1, 3))),
+        CHECK_MESSAGE(hit->back_face == (side < 0), "inside: the ray comes from behind");
+        CHECK_MESSAGE(hit->shading_normal == approx(side * normalize(vec3(1, -1, 3))),
                       "the given normal, made unit, turned to the side of the ray with the true one");
         CHECK(hit->position == approx((a + b + c) / 3.0f));
     }
@@ -87,7 +87,7 @@ TEST_CASE("normals and uv run over a triangle as the weights of its corners do")
     CHECK_MESSAGE(hit->uv == approx(0.3f * vec2(0.1f, 0.9f) + 0.2f * vec2(0.7f, 0.2f) + 0.5f * vec2(3, -2)),
                   "(1 - u - v) A + u B + v C");
     const vec3 blend = 0.3f * vec3(0, 0, 1) + 0.2f * vec3(0.6f, 0, 0.8f) + 0.5f * normalize(vec3(0, 1, 1));
-    CHECK_MESSAGE(hit->normal == approx(normalize(blend)),
+    CHECK_MESSAGE(hit->shading_normal == approx(normalize(blend)),
                   "each made unit, then blended, then made unit again");
     CHECK(hit->geometric_normal == approx({0, 0, 1}));
 }

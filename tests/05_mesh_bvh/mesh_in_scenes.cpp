@@ -57,15 +57,15 @@ TEST_CASE("a line crosses a closed mesh an even number of times, by turns inward
         while (crossings < 20) {
             const auto hit = intersect(scene, ray);
             if (!hit) break;
-            wrong_side += hit->inside != (crossings % 2 == 1);
-            ray.t_min = hit->t + hit->error / length(ray.direction);
+            wrong_side += hit->back_face != (crossings % 2 == 1);
+            ray.t_min = hit->t + hit->position_error / length(ray.direction);
             ++crossings;
         }
         odd += crossings % 2;
         missed += crossings == 0;
         const Ray from_inside{target, random_direction(random)};
         const auto from_within = intersect(scene, from_inside);
-        wrong_side += !from_within || !from_within->inside;
+        wrong_side += !from_within || !from_within->back_face;
     }
     CHECK(odd == 0);
     CHECK(missed == 0);
@@ -81,12 +81,12 @@ TEST_CASE("a ball without normals gets round, a cube without normals keeps its e
         const vec3 direction = random_direction(random);
         const auto round = intersect(ball, Ray{-3.0f * direction / length(direction), direction});
         REQUIRE(round);
-        if (!(dot(round->normal, normalize(round->position)) > 0.999f))
-            FAIL_CHECK("ball: at ", round->position, " the normal is ", round->normal);
+        if (!(dot(round->shading_normal, normalize(round->position)) > 0.999f))
+            FAIL_CHECK("ball: at ", round->position, " the normal is ", round->shading_normal);
         const auto edged = intersect(box, Ray{-5.0f * direction / length(direction), direction});
         REQUIRE(edged);
-        if (!(dot(edged->normal, edged->geometric_normal) > 0.9999f))
-            FAIL_CHECK("cube: at ", edged->position, " the normal is ", edged->normal);
+        if (!(dot(edged->shading_normal, edged->geometric_normal) > 0.9999f))
+            FAIL_CHECK("cube: at ", edged->position, " the normal is ", edged->shading_normal);
     }
 }
 
@@ -99,7 +99,7 @@ TEST_CASE("an edge is smoothed if it is blunter than the crease angle") {
     const auto normal_at_edge = [&](float crease) {
         const auto hit = intersect(scene_of(file, crease), Ray{{-0.0005f, 0.3f, 2}, {0, 0, -1}});
         REQUIRE(hit);
-        return glm::degrees(std::asin(hit->normal.x));
+        return glm::degrees(std::asin(hit->shading_normal.x));
     };
     CHECK_MESSAGE(normal_at_edge(40) == approx(15, 1e-2f), "half way between the two; 0: not smoothed");
     CHECK_MESSAGE(normal_at_edge(31) == approx(15, 1e-2f),
@@ -129,8 +129,8 @@ TEST_CASE("a mirror on a smoothed mesh never sends a ray into the mesh") {
         const Ray ray{from, 0.9f * normalize(random_direction(random)) - from};
         const auto hit = intersect(scene, ray);
         if (!hit) continue;
-        into += !(dot(mirror_ray(ray, *hit).direction, hit->geometric_normal) > 0);
-        into += !(dot(ray.direction, hit->normal) < 0);
+        into += !(dot(reflected_ray(ray, *hit).direction, hit->geometric_normal) > 0);
+        into += !(dot(ray.direction, hit->shading_normal) < 0);
     }
     CHECK(into == 0);
 }
@@ -145,7 +145,7 @@ TEST_CASE("the normal of a hit does not depend on the length of the ray's direct
         const vec3 way = (0.8f + 0.2f * random.uniform()) * rim - from;
         const auto slow = intersect(scene, Ray{from, way}), fast = intersect(scene, Ray{from, 8.0f * way});
         if (!slow || !fast) continue;
-        different += !(slow->normal == approx(fast->normal, 1e-3f));
+        different += !(slow->shading_normal == approx(fast->shading_normal, 1e-3f));
     }
     CHECK(different == 0);
 }

@@ -38,7 +38,7 @@ TEST_CASE(
     const Stage stage = stage_for(box, 1);
     scene.lights = {{stage.lamp, vec3(3 * stage.lamp_scale)}};
     scene.sky = {vec3(0), vec3(0.2f)};
-    const Camera camera = make_camera(stage.pose, 60, 60);
+    const Camera camera = make_camera(stage.look_at, 60, 60);
     int covered = 0, unlit = 0;
     for (int y = 0; y < 60; ++y) {
         for (int x = 0; x < 60; ++x) {

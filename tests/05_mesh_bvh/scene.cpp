@@ -15,7 +15,7 @@ TEST_CASE("two models in one scene keep their own triangles and materials") {
                          {.name = "lamp", .emission = {3, 2, 1}}};
     two.materials = {1, 0};
     Scene scene;
-    add(scene.materials, flat(vec3(7)));
+    add(scene.materials, emissive(vec3(7)));
     add_model(scene, one, 40);
     add_model(scene, two, 40);
     prepare(scene);
@@ -40,12 +40,12 @@ TEST_CASE("a model's material is matte, under a mirror if it reflects, or glass"
     CHECK(std::get<Diffuse>(matte).albedo == vec3(0.8f, 0.4f, 0.2f));
     CHECK(std::get<Diffuse>(matte).emission == vec3(1, 2, 3));
     const Material glazed = added({.diffuse = {0.8f, 0.4f, 0.2f}, .reflectivity = 0.3f});
-    REQUIRE(std::holds_alternative<Reflective>(glazed));
-    CHECK(std::get<Reflective>(glazed).reflectivity == 0.3f);
-    CHECK(std::get<Diffuse>(scene.materials[std::size_t(std::get<Reflective>(glazed).base)]).albedo ==
+    REQUIRE(std::holds_alternative<Coated>(glazed));
+    CHECK(std::get<Coated>(glazed).reflectivity == 0.3f);
+    CHECK(std::get<Diffuse>(scene.materials[std::size_t(std::get<Coated>(glazed).base)]).albedo ==
           vec3(0.8f, 0.4f, 0.2f));
     const Material clear = added({.ior = 1.33f, .glass = true});
-    REQUIRE(std::holds_alternative<Glass>(clear));
-    CHECK(std::get<Glass>(clear).inside.ior == 1.33f);
-    CHECK(std::get<Glass>(clear).outside.ior == 1);
+    REQUIRE(std::holds_alternative<Dielectric>(clear));
+    CHECK(std::get<Dielectric>(clear).interior.ior == 1.33f);
+    CHECK(std::get<Dielectric>(clear).exterior.ior == 1);
 }

@@ -11,7 +11,7 @@ namespace {
 /// How far the point at t lies off the surface of the true hit. A ray that grazes a splinter may be off along
 /// the surface, which nobody sees; off the surface it must keep to the error that hit.h promises.
 bool on_the_surface(const Hit& right, const Ray& ray, float t) {
-    return std::abs((t - right.t) * dot(ray.direction, right.geometric_normal)) <= right.error;
+    return std::abs((t - right.t) * dot(ray.direction, right.geometric_normal)) <= right.position_error;
 }
 
 struct Comparison {

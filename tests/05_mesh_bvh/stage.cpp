@@ -38,8 +38,8 @@ TEST_CASE("the stage shows all of any model, in a picture of any shape") {
         for (const float aspect : {0.3f, 1.0f, 1.6f, 4.0f}) {
             INFO("box ", box.low, " to ", box.high, ", aspect ", aspect);
             const Stage stage = stage_for(box, aspect);
-            const Pose& pose = stage.pose;
-            const Camera camera = make_camera(pose, int(1000 * aspect), 1000);
+            const LookAt& look_at = stage.look_at;
+            const Camera camera = make_camera(look_at, int(1000 * aspect), 1000);
             float reach = 0;
             for (int i = 0; i < 8; ++i) {
                 const vec3 corner{i & 1 ? box.low.x : box.high.x, i & 2 ? box.low.y : box.high.y,
@@ -47,8 +47,9 @@ TEST_CASE("the stage shows all of any model, in a picture of any shape") {
                 const vec3 p = corner - camera.origin;
                 const float depth = dot(p, camera.forward);
                 REQUIRE_MESSAGE(depth > 0, "the corner is before the camera");
-                const float x = dot(p, camera.right) / dot(camera.right, camera.right) / depth;
-                const float y = dot(p, camera.up) / dot(camera.up, camera.up) / depth;
+                const float x = dot(p, camera.half_width) / dot(camera.half_width, camera.half_width) / depth;
+                const float y =
+                    dot(p, camera.half_height) / dot(camera.half_height, camera.half_height) / depth;
                 CHECK(std::abs(x) <= 1);
                 CHECK(std::abs(y) <= 1);
                 reach = std::max({reach, std::abs(x), std::abs(y)});
@@ -58,7 +59,7 @@ TEST_CASE("the stage shows all of any model, in a picture of any shape") {
             CHECK_MESSAGE(under > 0, "a floor of the model's own lies above it");
             CHECK(under < 1e-3f * size);
             CHECK(stage.lamp.y > box.high.y);
-            CHECK(pose.from.y > middle(box).y);
+            CHECK(look_at.from.y > middle(box).y);
             const float squared = dot(stage.lamp - middle(box), stage.lamp - middle(box));
             CHECK(stage.lamp_scale / squared == approx(1, 0.01f));
         }
@@ -75,12 +76,12 @@ TEST_CASE("a user's model stands on a floor under a lamp, or alone if it is to b
         if (bare) arguments.push_back("--bare");
         REQUIRE(options.parse(int(arguments.size()), arguments.data()));
         Scene scene;
-        const Pose pose = stage_model(scene, knobs, 1.6f);
+        const LookAt look_at = stage_model(scene, knobs, 1.6f);
         prepare(scene);
         CHECK(scene.mesh.triangles.size() == 4);
         CHECK(scene.planes.empty() == bare);
         CHECK(scene.lights.empty() == bare);
-        const Ray ray = camera_ray(make_camera(pose, 160, 100), {80, 50});
+        const Ray ray = camera_ray(make_camera(look_at, 160, 100), {80, 50});
         CHECK(intersect(scene, ray).has_value());
         if (!bare) CHECK(scene.planes[0].point.y == approx(0, 1e-3f));
     }

@@ -87,7 +87,7 @@ TEST_CASE("a reflective coat lies over a picture as over any other material") {
     scene.sky = {vec3(0.2f), vec3(1)};
     const int base = add(scene.materials, Textured{add(scene.textures, card()), vec3(1)});
     const int mirror = add(scene.materials, Mirror{});
-    const int coat = add(scene.materials, Reflective{0.3f, base});
+    const int coat = add(scene.materials, Coated{0.3f, base});
     const auto seen = [&](int material) {
         scene.spheres = {{{0, 0, 0}, 2, material}};
         prepare(scene);
@@ -101,7 +101,7 @@ TEST_CASE("a checker of .8 and .15 seen from far away averages .475") {
     // of .325 / 400 = .0008 (less, since the rays are spread evenly). |z| < 4: one false alarm in 16,000.
     Scene scene = evenly_lit();
     scene.planes = {
-        {{0.3f, 0, 0.2f}, {0, 1, 0}, add(scene.materials, Checker{vec3(0.8f), vec3(0.15f), 0.37f})}};
+        {{0.3f, 0, 0.2f}, {0, 1, 0}, add(scene.materials, Checkerboard{vec3(0.8f), vec3(0.15f), 0.37f})}};
     prepare(scene);
     Random random(72);
     Mean mean;
@@ -138,12 +138,12 @@ TEST_CASE("a texture of .8 and .15 seen from far away averages .475 too") {
 TEST_CASE("tinted glass, mirrors and depth work among textures as they did in step 04") {
     const vec3 absorption{0.1f, 0.35f, 0.8f};
     Scene scene = evenly_lit();
-    scene.spheres = {{{1, 2, 3}, 2, add(scene.materials, Glass{{1, absorption}})},
+    scene.spheres = {{{1, 2, 3}, 2, add(scene.materials, Dielectric{{1, absorption}})},
                      {{1, 2, 3}, 0.5f, add(scene.materials, Mirror{{0.5f, 0.6f, 0.7f}})}};
     prepare(scene);
     const Ray ray{{1, 2, 9}, {0, 0, -2}};
     CHECK(radiance(scene, ray, 5) == approx(vec3(0.5f, 0.6f, 0.7f) * exp(-absorption * 3.0f), 1e-4f));
-    scene.spheres[0].material = add(scene.materials, Glass{{1.5f}});
+    scene.spheres[0].material = add(scene.materials, Dielectric{{1.5f}});
     scene.spheres.pop_back();
     prepare(scene);
     CHECK(radiance(scene, ray, 1) == approx(vec3(0.04f)));

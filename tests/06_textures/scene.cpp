@@ -139,7 +139,7 @@ TEST_CASE("a glass model stays glass, and a tree changes nothing about textured 
     const auto material = [&](const ObjMaterial& m) {
         return scene.materials[std::size_t(add_material(scene, m, 0))];
     };
-    CHECK(std::get<Glass>(material({.ior = 1.33f, .glass = true})).inside.ior == 1.33f);
+    CHECK(std::get<Dielectric>(material({.ior = 1.33f, .glass = true})).interior.ior == 1.33f);
     CHECK(std::get<Diffuse>(material({.diffuse = {0.8f, 0.4f, 0.2f}, .emission = {1, 2, 3}})).emission ==
           vec3(1, 2, 3));
     const Textured lamp =

@@ -38,11 +38,11 @@ TEST_CASE("a point that rounding puts beyond a pole has a uv all the same") {
 }
 
 TEST_CASE("a checker changes at every square, at zero too") {
-    const Checker checker{vec3(0.8f), vec3(0.15f), 0.5f};
+    const Checkerboard checkerboard{vec3(0.8f), vec3(0.15f), 0.5f};
     for (int y = -5; y < 5; ++y) {
         for (int x = -5; x < 5; ++x) {
             INFO("square ", x, ", ", y);
-            CHECK_MESSAGE(at(checker, {(float(x) + 0.3f) / 2, (float(y) + 0.7f) / 2}).albedo.x ==
+            CHECK_MESSAGE(evaluate(checkerboard, {(float(x) + 0.3f) / 2, (float(y) + 0.7f) / 2}).albedo.x ==
                               ((x + y) % 2 == 0 ? 0.8f : 0.15f),
                           "a cast to int makes the two squares beside zero one");
         }

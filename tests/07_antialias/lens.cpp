@@ -11,8 +11,8 @@ using namespace rt;
 
 namespace {
 
-const Pose pose{.from = {1, 2, 3}, .at = {-1, 1.5f, -4}, .up = {0.1f, 1, 0}, .fov = 50};
-const Camera camera = make_camera(pose, 600, 400);
+const LookAt look_at{.from = {1, 2, 3}, .at = {-1, 1.5f, -4}, .up = {0.1f, 1, 0}, .fov = 50};
+const Camera camera = make_camera(look_at, 600, 400);
 
 /// Where the ray meets the plane `depth` ahead of the camera.
 vec3 at_depth(const Ray& ray, float depth) {
@@ -91,7 +91,8 @@ TEST_CASE("rays start all over the lens, at right angles to the line of sight") 
     Random random(5);
     for (int i = 0; i < 40'000; ++i) {
         const vec3 p = lens_ray(camera, lens, {300, 10}, random.uniform2()).origin - camera.origin;
-        const double x = double(dot(p, normalize(camera.right))), y = double(dot(p, normalize(camera.up)));
+        const double x = double(dot(p, normalize(camera.half_width))),
+                     y = double(dot(p, normalize(camera.half_height)));
         across.add(x * x), along.add(y * y);
     }
     INFO("mean squares, a quarter of the squared radius: " << across.against(0.04) << "; "
@@ -146,11 +147,11 @@ TEST_CASE("without --focus the camera focuses on what it looks at") {
     const LensKnobs knobs(options);
     const std::array words{"test", "--aperture", "0.25"};
     REQUIRE(options.parse(int(words.size()), words.data()));
-    CHECK(knobs.lens(pose).aperture == 0.25f);
-    CHECK(knobs.lens(pose).focus == approx(distance(pose.from, pose.at)));
+    CHECK(knobs.lens(look_at).aperture == 0.25f);
+    CHECK(knobs.lens(look_at).focus == approx(distance(look_at.from, look_at.at)));
     Options other("test", "Where is it sharp?", RenderSettings{});
     const LensKnobs near(other);
     const std::array more{"test", "--aperture", "0.25", "--focus", "2.5"};
     REQUIRE(other.parse(int(more.size()), more.data()));
-    CHECK(near.lens(pose).focus == 2.5f);
+    CHECK(near.lens(look_at).focus == 2.5f);
 }

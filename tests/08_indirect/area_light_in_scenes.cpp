@@ -18,8 +18,8 @@ TEST_CASE("all that glows is a light, to be picked in proportion to its power") 
     Scene scene;
     const int grey = add(scene.materials, Diffuse{vec3(0.5f)});
     const int red = add(scene.materials, Diffuse{vec3(0.5f), vec3(2, 0, 0)});
-    const int white = add(scene.materials, flat(vec3(3)));
-    const int coat = add(scene.materials, Reflective{0.25f, white});
+    const int white = add(scene.materials, emissive(vec3(3)));
+    const int coat = add(scene.materials, Coated{0.25f, white});
     const int picture =
         add(scene.materials,
             Textured{add(scene.textures, make_texture(Bitmap{1, 1, {9000, 9000, 9000}})), vec3(1), vec3(5)});
@@ -46,7 +46,7 @@ TEST_CASE("all that glows is a light, to be picked in proportion to its power") 
 TEST_CASE("a disc above a facing point sends pi L R^2 / (R^2 + h^2)") {
     // R = .5, h = 1: a form factor of .2. The disc is a fan of 360 triangles with the area of the circle.
     Scene scene;
-    const int lamp = add(scene.materials, flat(vec3(3)));
+    const int lamp = add(scene.materials, emissive(vec3(3)));
     const int sides = 360;
     const double circle = std::sqrt(0.25 * double(pi) / (sides / 2.0 * std::sin(2 * double(pi) / sides)));
     const auto rim = [&](int i) {
@@ -62,7 +62,7 @@ TEST_CASE("a disc above a facing point sends pi L R^2 / (R^2 + h^2)") {
 
 TEST_CASE("a point below the middle of a unit square sees it by .2394565") {
     Scene scene;
-    scene.quads = {{{-0.5f, 2, 3.5f}, {1, 0, 0}, {0, 0, 1}, add(scene.materials, flat(vec3(1)))}};
+    scene.quads = {{{-0.5f, 2, 3.5f}, {1, 0, 0}, {0, 0, 1}, add(scene.materials, emissive(vec3(1)))}};
     REQUIRE(float(form_factor(corners_of(scene.quads[0]), {0, 1, 4}, {0, 1, 0})) ==
             approx(0.2394565f, 1e-6f));
     const Mean mean = received(scene, {0, 1, 4}, {0, 1, 0}, 100'000);
@@ -72,7 +72,8 @@ TEST_CASE("a point below the middle of a unit square sees it by .2394565") {
 
 TEST_CASE("a bright parallelogram sends what Lambert's polygon formula says") {
     Scene scene;
-    scene.quads = {{{1, 2, -1}, {2, 0.5f, 0.3f}, {0.9f, 1, 1.5f}, add(scene.materials, flat(vec3(2.5f)))}};
+    scene.quads = {
+        {{1, 2, -1}, {2, 0.5f, 0.3f}, {0.9f, 1, 1.5f}, add(scene.materials, emissive(vec3(2.5f)))}};
     const vec3 position(0.2f, -0.3f, 0.7f), normal = normalize(vec3(0.8f, 0.9f, 0.1f));
     const double want = 2.5 * form_factor(corners_of(scene.quads[0]), position, normal);
     const Mean mean = received(scene, position, normal, 50'000);
@@ -86,7 +87,7 @@ TEST_CASE("a bright triangle sends what Lambert's polygon formula says, from nea
     const vec3 normal = normalize(vec3(0.6f, 0.7f, 0.3f));
     for (const vec3 position : {vec3(0, 0, 0), vec3(-1, -3, -2), vec3(1.2f, 0.3f, 0.6f) - 0.5f * normal}) {
         Scene scene;
-        const int lamp = add(scene.materials, flat(vec3(4)));
+        const int lamp = add(scene.materials, emissive(vec3(4)));
         add_triangle(scene, triangle[0], triangle[1], triangle[2], lamp);
         const double want = 4 * form_factor(triangle, position, normal);
         const Mean mean = received(scene, position, normal, 50'000);
@@ -97,7 +98,7 @@ TEST_CASE("a bright triangle sends what Lambert's polygon formula says, from nea
 
 TEST_CASE("a bright ball sends pi L (R / D)^2 times the cosine") {
     Scene scene;
-    scene.spheres = {{{2, 3, -1}, 0.8f, add(scene.materials, flat(vec3(6)))}};
+    scene.spheres = {{{2, 3, -1}, 0.8f, add(scene.materials, emissive(vec3(6)))}};
     const vec3 position(0.5f, 0.2f, 0.3f);
     const vec3 normal = normalize(vec3(0.5f, 0.4f, 0.6f));
     const vec3 way = vec3(2, 3, -1) - position;
@@ -112,7 +113,7 @@ TEST_CASE("a light shines to both sides, and on nothing that faces away from it"
     const vec3 below(0.3f, 0.5f, 0.1f), above(0.3f, 3.5f, 0.1f);
     for (const bool under : {true, false}) {
         Scene scene;
-        add(scene.materials, flat(vec3(2)));
+        add(scene.materials, emissive(vec3(2)));
         scene.quads = {quad};
         const vec3 position = under ? below : above;
         const vec3 normal = normalize(vec3(0.2f, under ? 1.0f : -1.0f, 0.1f));
@@ -128,10 +129,11 @@ TEST_CASE("a light shines to both sides, and on nothing that faces away from it"
 TEST_CASE("several lights of different kind and power add up") {
     Scene scene;
     scene.quads = {
-        {{1, 2, -1}, {2, 0.5f, 0.3f}, {0.9f, 1, 1.5f}, add(scene.materials, flat(vec3(0.5f, 9, 9)))}};
-    scene.spheres = {{{-2, 3, -1}, 0.8f, add(scene.materials, flat(vec3(6, 0, 1)))}};
+        {{1, 2, -1}, {2, 0.5f, 0.3f}, {0.9f, 1, 1.5f}, add(scene.materials, emissive(vec3(0.5f, 9, 9)))}};
+    scene.spheres = {{{-2, 3, -1}, 0.8f, add(scene.materials, emissive(vec3(6, 0, 1)))}};
     const std::vector<vec3> triangle{{-1, 4, 2}, {1, 4.5f, 1}, {0.5f, 5, 3}};
-    add_triangle(scene, triangle[0], triangle[1], triangle[2], add(scene.materials, flat(vec3(20, 1, 1))));
+    add_triangle(scene, triangle[0], triangle[1], triangle[2],
+                 add(scene.materials, emissive(vec3(20, 1, 1))));
     const vec3 position(0.2f, -0.3f, 0.7f), normal = normalize(vec3(0.1f, 0.95f, -0.1f));
     const vec3 way = scene.spheres[0].center - position;
     const double want = 0.5 * form_factor(corners_of(scene.quads[0]), position, normal) +
@@ -149,7 +151,7 @@ TEST_CASE("what stands between darkens, what stands beyond does not") {
     const double open = 3 * form_factor(corners_of(lamp), position, up);
     const auto with = [&](const std::function<void(Scene&)>& change) {
         Scene scene;
-        add(scene.materials, flat(vec3(3)));
+        add(scene.materials, emissive(vec3(3)));
         add(scene.materials, Diffuse{vec3(0.5f)});
         scene.quads = {lamp};
         change(scene);
@@ -182,10 +184,11 @@ TEST_CASE("the density of a direction towards lamps is that with which they are 
     // The mean of 1 / p(w) over picked points is the solid angle that they fill, front and back.
     Scene scene;
     scene.quads = {
-        {{1, 2, -1}, {2, 0.5f, 0.3f}, {0.9f, 1, 1.5f}, add(scene.materials, flat(vec3(0.5f, 9, 9)))}};
-    scene.spheres = {{{-2, 3, -1}, 0.8f, add(scene.materials, flat(vec3(6, 0, 1)))}};
+        {{1, 2, -1}, {2, 0.5f, 0.3f}, {0.9f, 1, 1.5f}, add(scene.materials, emissive(vec3(0.5f, 9, 9)))}};
+    scene.spheres = {{{-2, 3, -1}, 0.8f, add(scene.materials, emissive(vec3(6, 0, 1)))}};
     const std::array<vec3, 3> triangle{vec3(-1, 4, 2), vec3(1, 4.5f, 1), vec3(0.5f, 5, 3)};
-    add_triangle(scene, triangle[0], triangle[1], triangle[2], add(scene.materials, flat(vec3(20, 1, 1))));
+    add_triangle(scene, triangle[0], triangle[1], triangle[2],
+                 add(scene.materials, emissive(vec3(20, 1, 1))));
     const vec3 from(0.2f, -0.3f, 0.7f);
     // Van Oosterom and Strackee 1983: tan(W / 2) = a.(b x c) / (1 + a.b + b.c + c.a) for unit a, b, c.
     const auto angle = [&](vec3 p, vec3 q, vec3 r) {

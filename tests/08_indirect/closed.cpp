@@ -18,7 +18,8 @@ Scene ball(vec3 albedo, Accel accel, bool lamps) {
     ObjFile file = icosphere(1);
     file.material_list[0].diffuse = albedo;
     add_model(scene, file, 180);
-    if (lamps) scene.quads = {{{-2, 1.2f, -2}, {4, 0.1f, 0}, {0, 0, 4}, add(scene.materials, flat(vec3(5)))}};
+    if (lamps)
+        scene.quads = {{{-2, 1.2f, -2}, {4, 0.1f, 0}, {0, 0, 4}, add(scene.materials, emissive(vec3(5)))}};
     prepare(scene);
     return scene;
 }

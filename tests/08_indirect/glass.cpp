@@ -16,7 +16,7 @@ TEST_CASE("glass reflects by Fresnel's share") {
     // what is left of a white world is the reflection, F(60) = .0891867. The direction's length is 1.7.
     Scene scene;
     scene.sky = {vec3(1), vec3(1)};
-    scene.spheres = {{{1, 0, 0}, 2, add(scene.materials, Glass{{1.5f}})}};
+    scene.spheres = {{{1, 0, 0}, 2, add(scene.materials, Dielectric{{1.5f}})}};
     const vec3 normal = normalize(vec3(1, 2, -2));
     const vec3 side = normalize(cross(normal, vec3(0, 1, 0)));
     const vec3 direction = -0.5f * normal + std::sqrt(0.75f) * side;
@@ -31,7 +31,9 @@ TEST_CASE("a clear ball in a white furnace reads 1, from outside and from inside
         Scene scene;
         scene.sky = {vec3(1), vec3(1)};
         scene.spheres = {
-            {{1, 0, 0}, 2, add(scene.materials, Glass{inside, inside.ior == 1 ? Medium{1.5f} : Medium{}})}};
+            {{1, 0, 0},
+             2,
+             add(scene.materials, Dielectric{inside, inside.ior == 1 ? Medium{1.5f} : Medium{}})}};
         for (const vec3 from : {vec3(4, 3, 5), vec3(1.3f, 0.2f, 1.1f)}) {
             const Mean plain =
                 seen(scene, {.depth = 1000, .roulette = false}, {from, {-0.6f, -0.4f, -1}}, 2000);
@@ -49,7 +51,7 @@ TEST_CASE("coloured glass absorbs by the length of the way within it") {
     Scene scene;
     scene.sky = {vec3(2), vec3(2)};
     const vec3 absorption(0.3f, 0.8f, 0);
-    const int clear = add(scene.materials, Glass{{1.0f, absorption}});
+    const int clear = add(scene.materials, Dielectric{{1.0f, absorption}});
     const int mirror = add(scene.materials, Mirror{vec3(0.5f)});
     scene.spheres = {{{0, 1, -6}, 2, clear}, {{20, 1, -6}, 2, clear}, {{20, 1, -6}, 0.5f, mirror}};
     prepare(scene);
@@ -72,7 +74,7 @@ TEST_CASE("a matte core in coloured glass is lit through the glass and seen thro
     // cos.
     Scene scene;
     scene.sky = {vec3(1), vec3(1)};
-    const int shell = add(scene.materials, Glass{{1.0f, vec3(0.7f)}});
+    const int shell = add(scene.materials, Dielectric{{1.0f, vec3(0.7f)}});
     scene.spheres = {{{3, 1, -6}, 2, shell}, {{3, 1, -6}, 1, add(scene.materials, Diffuse{vec3(0.8f)})}};
     double out = 0;
     for (int i = 0; i < 10'000; ++i) {
@@ -88,7 +90,8 @@ TEST_CASE("a matte core in coloured glass is lit through the glass and seen thro
 TEST_CASE("a coloured medium without end lets nothing through") {
     Scene scene;
     scene.sky = {vec3(1), vec3(1)};
-    scene.quads = {{{-1, -1, -4}, {2, 0, 0}, {0, 2, 0}, add(scene.materials, Glass{{1.0f, vec3(0.1f)}})}};
+    scene.quads = {
+        {{-1, -1, -4}, {2, 0, 0}, {0, 2, 0}, add(scene.materials, Dielectric{{1.0f, vec3(0.1f)}})}};
     // Seen against its normal's side, the ray goes into the medium and never out of it again.
     const Mean mean = seen(scene, {.depth = 5}, {{0, 0, 0}, {0.1f, 0.1f, -1}}, 100);
     CHECK(mean.mean() == 0);
@@ -100,10 +103,10 @@ TEST_CASE("a lamp behind clear glass shines through it, once") {
     for (const Direct direct : all_ways) {
         Scene scene;
         const int floor = add(scene.materials, Diffuse{vec3(0.6f)});
-        const int lamp = add(scene.materials, flat(vec3(5)));
+        const int lamp = add(scene.materials, emissive(vec3(5)));
         scene.planes = {{{0, 0, 0}, {0, 1, 0}, floor}};
         scene.quads = {{{-0.5f, 2, -0.5f}, {1, 0.3f, 0}, {0, 0, 1}, lamp}};
-        scene.spheres = {{{0, 2.1f, 0}, 1.2f, add(scene.materials, Glass{{1.0f}})}};
+        scene.spheres = {{{0, 2.1f, 0}, 1.2f, add(scene.materials, Dielectric{{1.0f}})}};
         const vec3 position(0.3f, 0, 0.2f);
         const double want = 0.6 * 5 * form_factor(corners_of(scene.quads[0]), position, {0, 1, 0});
         const Transport transport{3, true, direct, false};

@@ -37,7 +37,7 @@ Case make_case(Random& random, int number) {
     made.floor_size = std::array{1.0f, 10.0f, 100.0f, 1000.0f}[std::size_t(number % 4)];
     const float half = made.floor_size / 2;
     const int floor = add(made.scene.materials, Diffuse{vec3(1)}),
-              lamp = add(made.scene.materials, flat(vec3(1)));
+              lamp = add(made.scene.materials, emissive(vec3(1)));
     const std::array corner{point(-half, 0, -half), point(half, 0, -half), point(half, 0, half),
                             point(-half, 0, half)};
     add_triangle(made.scene, corner[0], corner[2], corner[1], floor);

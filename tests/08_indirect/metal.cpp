@@ -18,7 +18,7 @@ TEST_CASE("a metal without fuzz is a mirror") {
         REQUIRE(ray);
         INFO("normal " << to_text(normal));
         CHECK(normalize(ray->direction) == approx(normalize(reflect(direction, normal))));
-        CHECK(ray->origin == approx(offset_position(hit, ray->direction)));
+        CHECK(ray->origin == approx(offset_ray_origin(hit, ray->direction)));
     }
 }
 

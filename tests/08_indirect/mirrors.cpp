@@ -33,8 +33,8 @@ TEST_CASE("a coat of reflectivity k shows k of the mirror and 1 - k of what lies
         Scene once;
         once.sky = {vec3(1), vec3(1)};
         const int base = add(once.materials, Diffuse{vec3(0.4f), vec3(2)});
-        const int coat = add(once.materials, Reflective{k, base, vec3(0.9f)});
-        const int second = add(once.materials, Reflective{0.5f, coat, vec3(0.6f)});
+        const int coat = add(once.materials, Coated{k, base, vec3(0.9f)});
+        const int second = add(once.materials, Coated{0.5f, coat, vec3(0.6f)});
         Scene twice = once;
         once.quads = {{{-1, -1, -4}, {2, 0, 0.5f}, {0, 2, 0}, coat}};
         twice.quads = {{{-1, -1, -4}, {2, 0, 0.5f}, {0, 2, 0}, second}};
@@ -59,7 +59,7 @@ TEST_CASE("a coated lamp lights its surroundings as if it were 1 - k as bright")
     for (const Direct direct : all_ways) {
         Scene scene;
         const int floor = add(scene.materials, Diffuse{vec3(0.6f)});
-        const int coat = add(scene.materials, Reflective{0.25f, add(scene.materials, flat(vec3(8)))});
+        const int coat = add(scene.materials, Coated{0.25f, add(scene.materials, emissive(vec3(8)))});
         scene.planes = {{{0, 0, 0}, {0, 1, 0}, floor}};
         scene.quads = {{{-0.5f, 2, -1}, {1, 0.2f, 0}, {0, 0, 2}, coat}};
         // The mirror's half of a bounce goes to the sky, which is black, or past the lamp to the floor.
@@ -106,7 +106,8 @@ TEST_CASE("a mirror on the wall doubles a lamp: its caustic is neither lost nor 
         const int floor = add(scene.materials, Diffuse{vec3(0.6f)});
         const int wall = add(scene.materials, Mirror{vec3(0.7f)});
         scene.planes = {{{0, 0, 0}, {0, 1, 0}, floor}, {{-1, 0, 0}, {1, 0, 0}, wall}};
-        const Quad lamp{{0.5f, 1, -1}, {0.4f, 0.8f, 0}, {0.1f, 0, 2}, add(scene.materials, flat(vec3(5)))};
+        const Quad lamp{
+            {0.5f, 1, -1}, {0.4f, 0.8f, 0}, {0.1f, 0, 2}, add(scene.materials, emissive(vec3(5)))};
         scene.quads = {lamp};
         const vec3 position(-0.3f, 0, 0.2f), up(0, 1, 0);
         std::vector<vec3> image = corners_of(lamp);

@@ -102,10 +102,10 @@ TEST_CASE("nothing that is white, mirroring or clear can be seen in a white worl
     Scene scene;
     scene.sky = {vec3(1), vec3(1)};
     const int white = add(scene.materials, Diffuse{vec3(1)});
-    const int glass = add(scene.materials, Glass{{1.5f}});
+    const int glass = add(scene.materials, Dielectric{{1.5f}});
     const int mirror = add(scene.materials, Mirror{});
-    const int coat = add(scene.materials, Reflective{0.4f, white});
-    const int bubble = add(scene.materials, Glass{{1.0f}, {1.5f}});
+    const int coat = add(scene.materials, Coated{0.4f, white});
+    const int bubble = add(scene.materials, Dielectric{{1.0f}, {1.5f}});
     scene.planes = {{{0, 0, 0}, normalize(vec3(0.1f, 1, 0.2f)), white}};
     scene.spheres = {{{0, 2, 0}, 1, glass},
                      {{0.2f, 2.1f, 0.1f}, 0.4f, bubble},
@@ -153,7 +153,7 @@ TEST_CASE("slopes receive of a graded sky what is in front of them") {
 
 TEST_CASE("a lamp is as bright as its emission, with its own reflection of other light on top") {
     Scene scene;
-    scene.quads = {{{-1, -1, -4}, {2, 0, 0.5f}, {0, 2, 0}, add(scene.materials, flat(vec3(17, 12, 7)))}};
+    scene.quads = {{{-1, -1, -4}, {2, 0, 0.5f}, {0, 2, 0}, add(scene.materials, emissive(vec3(17, 12, 7)))}};
     prepare(scene);
     for (const Direct direct : all_ways)
         for (const int depth : {0, 1, 5}) {
@@ -169,7 +169,7 @@ TEST_CASE("point lights light the first surface as they do in step 02") {
     Scene scene;
     const int floor = add(scene.materials, Diffuse{{0.8f, 0.4f, 0.2f}});
     const int ball = add(scene.materials, Diffuse{{0.3f, 0.5f, 0.7f}});
-    const int tiles = add(scene.materials, Checker{vec3(0.7f), {0.2f, 0.1f, 0.3f}, 0.8f});
+    const int tiles = add(scene.materials, Checkerboard{vec3(0.7f), {0.2f, 0.1f, 0.3f}, 0.8f});
     scene.planes = {{{0, 0, 0}, normalize(vec3(0.1f, 1, 0.2f)), floor}, {{0, 0, -6}, {0, 0, 1}, tiles}};
     scene.spheres = {{{0, 1, 0}, 0.8f, ball}, {{2, 1.5f, -1}, 0.5f, ball}};
     scene.lights = {{{3, 4, 2}, {50, 40, 30}}, {{-4, 2, 1}, {5, 10, 20}}};
@@ -184,7 +184,8 @@ TEST_CASE("point lights light the first surface as they do in step 02") {
         if (hit) {
             const Material& material = scene.materials[std::size_t(hit->material)];
             const Diffuse* diffuse = std::get_if<Diffuse>(&material);
-            want = lit(scene, *hit, diffuse ? *diffuse : at(std::get<Checker>(material), hit->uv));
+            want = shade_diffuse(scene, *hit,
+                                 diffuse ? *diffuse : evaluate(std::get<Checkerboard>(material), hit->uv));
         }
         const vec3 got =
             radiance(scene, AreaLights{}, {.depth = 1, .direct = all_ways[std::size_t(i % 3)]}, ray, random);
@@ -200,9 +201,9 @@ TEST_CASE("pictures and tiles give the walk their albedo, pictures their light t
     const int picture =
         add(scene.textures, make_texture(Bitmap{1, 1, {65535, 32896, 13107}})); // 255, 128 and 51 of 255
     const int textured = add(scene.materials, Textured{picture, vec3(0.5f), vec3(3, 0, 1)});
-    const Checker checker{vec3(0.7f), {0.2f, 0.1f, 0.3f}, 0.8f};
+    const Checkerboard checkerboard{vec3(0.7f), {0.2f, 0.1f, 0.3f}, 0.8f};
     Scene tiled = scene;
-    tiled.planes = {{{0, -2, 0}, {0, 1, 0}, add(tiled.materials, checker)}};
+    tiled.planes = {{{0, -2, 0}, {0, 1, 0}, add(tiled.materials, checkerboard)}};
     scene.quads = {{{-1, -1, -4}, {2, 0, 0.5f}, {0, 2, 0}, textured}};
     prepare(scene);
     prepare(tiled);
@@ -214,7 +215,7 @@ TEST_CASE("pictures and tiles give the walk their albedo, pictures their light t
         REQUIRE(card == approx(vec3(3, 0, 1) + 0.5f * vec3(1, 0.2158605f, 0.0331048f)));
         // u along x and v along -z, from the plane's point.
         const Ray down{{0, 0, 0}, {0.1f * float(i % 20), -1, 0.07f * float(i % 13)}};
-        const vec3 tile = at(checker, {2 * down.direction.x, -2 * down.direction.z}).albedo;
+        const vec3 tile = evaluate(checkerboard, {2 * down.direction.x, -2 * down.direction.z}).albedo;
         REQUIRE(radiance(tiled, AreaLights{}, transport, down, random) == approx(tile));
     }
 }

@@ -67,13 +67,13 @@ TEST_CASE("a box is closed, faces outward and stands where it is turned and move
 
 TEST_CASE("the Cornell box has the published walls, lamp and boxes") {
     Scene scene;
-    const Pose pose = cornell(scene);
+    const LookAt look_at = cornell(scene);
     REQUIRE(scene.quads.size() == 18);
     CHECK(scene.sky.nadir == vec3(0));
     CHECK(scene.sky.zenith == vec3(0));
-    CHECK(pose.from == vec3(278, 278, -800));
-    CHECK(pose.at == vec3(278, 278, 0));
-    CHECK(pose.fov == 40);
+    CHECK(look_at.from == vec3(278, 278, -800));
+    CHECK(look_at.at == vec3(278, 278, 0));
+    CHECK(look_at.fov == 40);
     const std::span<const Quad> all(scene.quads);
     for (const Quad& wall : all.first(5)) CHECK(area(wall) == approx(555 * 555));
     const Quad& lamp = all[5];
@@ -92,7 +92,7 @@ TEST_CASE("the Cornell box has the published walls, lamp and boxes") {
 
 TEST_CASE("the Cornell box is closed but for its front, and green is on the left of its picture") {
     Scene scene;
-    const Pose pose = cornell(scene);
+    const LookAt look_at = cornell(scene);
     prepare(scene);
     Random random(1);
     int through_the_front = 0;
@@ -108,7 +108,7 @@ TEST_CASE("the Cornell box is closed but for its front, and green is on the left
         if (front.y > 340 && open) REQUIRE_MESSAGE(!hit, "nothing stands in the front above the boxes");
     }
     CHECK(through_the_front > 1000);
-    const Camera camera = make_camera(pose, 300, 300);
+    const Camera camera = make_camera(look_at, 300, 300);
     const auto colour_at = [&](float x, float y) {
         const auto hit = intersect(scene, camera_ray(camera, {x, y}));
         REQUIRE(hit);
@@ -123,9 +123,9 @@ TEST_CASE("the Cornell box is closed but for its front, and green is on the left
 
 TEST_CASE("the weekend's balls follow the published rule") {
     Scene scene;
-    const Pose pose = weekend(scene);
-    CHECK(pose.from == vec3(13, 2, 3));
-    CHECK(pose.fov == 20);
+    const LookAt look_at = weekend(scene);
+    CHECK(look_at.from == vec3(13, 2, 3));
+    CHECK(look_at.fov == 20);
     CHECK(radiance(scene.sky, {0, 5, 0}) == approx(vec3(0.5f, 0.7f, 1)));
     CHECK(radiance(scene.sky, {3, 0, 1}) == approx(vec3(0.75f, 0.85f, 1)));
     CHECK_MESSAGE(weekend_lens.aperture == approx(2 * 10 * std::tan(glm::radians(0.3f)), 1e-5f),
@@ -178,7 +178,7 @@ TEST_CASE(
             }
         } else {
             ++found[2];
-            REQUIRE(std::get<Glass>(material).inside.ior == 1.5f);
+            REQUIRE(std::get<Dielectric>(material).interior.ior == 1.5f);
         }
     }
     const double all = found[0] + found[1] + found[2];
@@ -200,8 +200,8 @@ TEST_CASE("a list of balls becomes a scene with the same balls") {
         {ListedSphere::Kind::matte, {1, 2, 3}, 0.5f, {0.1f, 0.2f, 0.3f}},
         {ListedSphere::Kind::metal, {4, 5, 6}, 1.5f, {0.4f, 0.5f, 0.6f}, 0.25f},
         {.kind = ListedSphere::Kind::glass, .center = {7, 8, 9}, .radius = 2, .ior = 1.7f}};
-    const Pose pose = weekend(scene, list);
-    CHECK(pose.from == vec3(13, 2, 3));
+    const LookAt look_at = weekend(scene, list);
+    CHECK(look_at.from == vec3(13, 2, 3));
     REQUIRE(scene.spheres.size() == 3);
     const auto material = [&](std::size_t i) {
         return scene.materials[std::size_t(scene.spheres[i].material)];
@@ -213,19 +213,19 @@ TEST_CASE("a list of balls becomes a scene with the same balls") {
     CHECK(std::get<Diffuse>(material(0)).albedo == vec3(0.1f, 0.2f, 0.3f));
     CHECK(std::get<Metal>(material(1)).albedo == vec3(0.4f, 0.5f, 0.6f));
     CHECK(std::get<Metal>(material(1)).fuzz == 0.25f);
-    CHECK(std::get<Glass>(material(2)).inside.ior == 1.7f);
+    CHECK(std::get<Dielectric>(material(2)).interior.ior == 1.7f);
 }
 
 TEST_CASE("the cat's room is closed, and the cat is in it") {
     Scene scene;
-    const Pose pose = animal(scene);
+    const LookAt look_at = animal(scene);
     prepare(scene);
     CHECK(scene.mesh.triangles.size() >= 4000);
     const Box cat = bounds(scene.mesh);
     CHECK_MESSAGE(std::abs(cat.low.y) < 0.01f, "it sits on the floor");
     Random random(2);
     for (int i = 0; i < 20'000; ++i) {
-        const Ray ray{pose.from, unit_vector(random.uniform2())};
+        const Ray ray{look_at.from, unit_vector(random.uniform2())};
         INFO("towards " << to_text(ray.direction));
         REQUIRE_MESSAGE(intersect(scene, ray), "light leaks out of the room");
     }

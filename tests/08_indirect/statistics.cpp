@@ -54,16 +54,19 @@ Scene oblique_scene() {
     Scene scene;
     scene.sky = {{0.1f, 0.05f, 0}, {0.1f, 0.2f, 0.4f}};
     const int floor = add(scene.materials, Diffuse{{0.8f, 0.5f, 0.4f}});
-    const int wall = add(scene.materials, Checker{{0.2f, 0.6f, 0.8f}, {0.7f, 0.1f, 0.3f}, 0.7f});
+    const int wall = add(scene.materials, Checkerboard{{0.2f, 0.6f, 0.8f}, {0.7f, 0.1f, 0.3f}, 0.7f});
     scene.quads = {
         {{-4, -0.5f, 4}, {8, 0.6f, 0.4f}, {0.3f, 0.5f, -8}, floor},
         {{-3, -1, -2}, {6, 0.2f, -0.8f}, {0.3f, 5, -0.6f}, wall},
-        {{-1.5f, 3, -1}, {1.2f, 0.3f, 0.1f}, {0.1f, 0.4f, 1.4f}, add(scene.materials, flat(vec3(6, 4, 2)))},
+        {{-1.5f, 3, -1},
+         {1.2f, 0.3f, 0.1f},
+         {0.1f, 0.4f, 1.4f},
+         add(scene.materials, emissive(vec3(6, 4, 2)))},
         {{-1.2f, 1.5f, -0.6f}, {1.1f, 0.3f, 0}, {0, -0.2f, 0.9f}, add(scene.materials, Diffuse{vec3(0.5f)})}};
     scene.spheres = {{{1.6f, 2.4f, 0.4f}, 0.5f, add(scene.materials, Diffuse{vec3(0.4f), vec3(1, 3, 8)})},
                      {{0.8f, 0.9f, 0.5f}, 0.4f, add(scene.materials, Diffuse{{0.3f, 0.7f, 0.5f}})}};
     add_triangle(scene, {2.5f, 0.4f, -1}, {3, 1.8f, -0.5f}, {2.7f, 0.9f, 1},
-                 add(scene.materials, flat(vec3(5, 1, 1))));
+                 add(scene.materials, emissive(vec3(5, 1, 1))));
     return scene;
 }
 const Ray into_it{{0.5f, 2.5f, 6}, {-0.6f, -2, -5.8f}}; // meets the floor under the board
@@ -93,9 +96,9 @@ TEST_CASE("however lamps are looked for and bounces are spread, the picture is t
 
 TEST_CASE("with mirrors, metal and glass, too, all ways agree: no caustic is lost or counted twice") {
     Scene scene = oblique_scene();
-    const int glass = add(scene.materials, Glass{{1.5f, {0.5f, 0.1f, 0.3f}}});
-    const int coat = add(scene.materials, Reflective{0.6f, 0, {0.9f, 0.8f, 0.7f}});
-    const int shiny_lamp = add(scene.materials, Reflective{0.4f, add(scene.materials, flat(vec3(9, 7, 5)))});
+    const int glass = add(scene.materials, Dielectric{{1.5f, {0.5f, 0.1f, 0.3f}}});
+    const int coat = add(scene.materials, Coated{0.6f, 0, {0.9f, 0.8f, 0.7f}});
+    const int shiny_lamp = add(scene.materials, Coated{0.4f, add(scene.materials, emissive(vec3(9, 7, 5)))});
     scene.spheres.push_back({{-0.3f, 0.7f, 1.6f}, 0.6f, glass});
     scene.spheres.push_back(
         {{-1.1f, 0.6f, 0.4f}, 0.4f, add(scene.materials, Metal{{0.9f, 0.6f, 0.3f}, 0.4f})});
@@ -175,7 +178,7 @@ TEST_CASE("squares see each other by .1998249 across a cube and by .2000438 arou
     Mean across, around, sampled;
     for (const bool opposite : {true, false}) {
         Scene scene;
-        const int glow = add(scene.materials, flat(vec3(1)));
+        const int glow = add(scene.materials, emissive(vec3(1)));
         scene.quads = {opposite ? Quad{{0, 1, 0}, {1, 0, 0}, {0, 0, 1}, glow}
                                 : Quad{{0, 0, 0}, {0, 1, 0}, {0, 0, 1}, glow}};
         scene.planes = {{{0, 0, 0}, {0, 1, 0}, add(scene.materials, Diffuse{vec3(1)})}};
@@ -208,7 +211,7 @@ TEST_CASE("A1 F12 = A2 F21 for lamps of different size") {
     const Quad large{{-1.5f, 2, -1}, {2.6f, 0.4f, 0.2f}, {0.1f, 0.5f, 2.4f}, 0};
     const auto power = [](const Quad& lamp, const Quad& receiver, std::uint64_t seed) {
         Scene scene;
-        add(scene.materials, flat(vec3(1)));
+        add(scene.materials, emissive(vec3(1)));
         scene.quads = {lamp};
         prepare(scene);
         const AreaLights lights = area_lights(scene);
@@ -269,11 +272,11 @@ TEST_CASE("no path is negative or not a number, whatever the world is made of") 
         const int picture = add(scene.textures, make_texture(Bitmap{1, 2, {65535, 0, 4711, 0, 65535, 1}}));
         for (int i = 0; i < 4; ++i) {
             add(scene.materials, Diffuse{colour(), random.uniform() < 0.3f ? 1e4f * colour() : vec3(0)});
-            add(scene.materials, Checker{colour(), colour(), 0.3f});
+            add(scene.materials, Checkerboard{colour(), colour(), 0.3f});
             add(scene.materials, Mirror{colour()});
-            add(scene.materials, Reflective{random.uniform(), int(random.uniform() * 3)});
+            add(scene.materials, Coated{random.uniform(), int(random.uniform() * 3)});
             add(scene.materials,
-                Glass{{1 + 1.5f * random.uniform(), 2.0f * colour()}, {1 + random.uniform()}});
+                Dielectric{{1 + 1.5f * random.uniform(), 2.0f * colour()}, {1 + random.uniform()}});
             add(scene.materials, Textured{picture, colour(), random.uniform() < 0.3f ? colour() : vec3(0)});
             add(scene.materials, Metal{colour(), random.uniform()});
         }
@@ -313,9 +316,9 @@ TEST_CASE("no path is negative or not a number, whatever the world is made of") 
 TEST_CASE("light in a coloured medium is dimmed on its way, whether lamps are sampled or found") {
     // A lamp and a matte plate in a ball of coloured glass of index 1, and the eye outside.
     Scene scene;
-    const int lamp = add(scene.materials, flat(vec3(5)));
+    const int lamp = add(scene.materials, emissive(vec3(5)));
     const int plate = add(scene.materials, Diffuse{vec3(0.8f)});
-    scene.spheres = {{{0, 0, 0}, 3, add(scene.materials, Glass{{1.0f, {0.6f, 0.2f, 0}}})}};
+    scene.spheres = {{{0, 0, 0}, 3, add(scene.materials, Dielectric{{1.0f, {0.6f, 0.2f, 0}}})}};
     scene.quads = {{{-1, -1, -1}, {2, 0.2f, 0}, {0, 0.1f, 2}, plate},
                    {{-0.5f, 1, -0.5f}, {1, 0, 0.1f}, {0, 0.2f, 1}, lamp}};
     prepare(scene);

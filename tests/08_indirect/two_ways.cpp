@@ -25,7 +25,7 @@ TEST_CASE("near a large lamp, however it is looked for, the same light arrives")
     const std::vector<vec3> triangle{{-2, 0.3f, -1}, {2.5f, 0.5f, -1.5f}, {0.2f, 0.4f, 3}};
     for (int kind = 0; kind < 3; ++kind) {
         Scene scene;
-        const int lamp = add(scene.materials, flat(vec3(3)));
+        const int lamp = add(scene.materials, emissive(vec3(3)));
         scene.planes = {{{0, 0, 0}, up, add(scene.materials, Diffuse{vec3(0.6f)})}};
         double factor = 0;
         if (kind == 0) {
@@ -61,11 +61,11 @@ TEST_CASE("both ways together are less noisy than either, near a lamp and far fr
         Scene scene;
         scene.planes = {{{0, 0, 0}, {0, 1, 0}, add(scene.materials, Diffuse{vec3(0.6f)})}};
         scene.quads = {
-            {{-1.5f, 0.15f, -1.5f}, {3, 0.2f, 0}, {0, 0.1f, 3}, add(scene.materials, flat(vec3(1)))}};
+            {{-1.5f, 0.15f, -1.5f}, {3, 0.2f, 0}, {0, 0.1f, 3}, add(scene.materials, emissive(vec3(1)))}};
         if (both) {
             scene.quads[0] = {{0.25f, 0.05f, -1.5f}, {1.5f, 1.2f, 0}, {0, 0, 3}, scene.quads[0].material};
             scene.quads.push_back(
-                {{-1, 4, 0}, {0.3f, 0, 0}, {0, 0, 0.3f}, add(scene.materials, flat(vec3(40)))});
+                {{-1, 4, 0}, {0.3f, 0, 0}, {0, 0, 0.3f}, add(scene.materials, emissive(vec3(40)))});
         }
         const Transport transport{1, true, direct, false};
         return seen(scene, transport, {vec3(-9, 0.2f, 0.3f), vec3(9.2f, -0.2f, 0)}, 40'000).variance();
@@ -85,7 +85,7 @@ TEST_CASE("found by chance, a bright ball sends as much as when it is asked") {
         Scene scene;
         const int floor = add(scene.materials, Diffuse{vec3(0.6f)});
         scene.planes = {{{0, 0, 0}, normalize(vec3(0.2f, 1, -0.1f)), floor}};
-        scene.spheres = {{{1, 2, -1.5f}, 0.3f, add(scene.materials, flat(vec3(500)))}};
+        scene.spheres = {{{1, 2, -1.5f}, 0.3f, add(scene.materials, emissive(vec3(500)))}};
         const vec3 normal = scene.planes[0].normal, way(1, 2, -1.5f);
         const double want = 0.6 * 500 * 0.09 / double(dot(way, way)) * double(dot(normalize(way), normal));
         const Transport transport{1, true, direct, false};

@@ -74,7 +74,7 @@ TEST_CASE("some shadow rays reach the light and some do not") {
 TEST_CASE("the primary rays of a picture are its pixels' rays, each once, neighbours side by side") {
     const Subject subject = make_subject("1k");
     const std::vector<Ray> rays = primary_rays(subject, 32);
-    const Camera camera = make_camera(subject.pose, 32, 32);
+    const Camera camera = make_camera(subject.look_at, 32, 32);
     CHECK(rays[0].direction == camera_ray(camera, {0.5f, 0.5f}).direction);
     CHECK(rays[16].direction == camera_ray(camera, {0.5f, 1.5f}).direction);
     CHECK(rays[256].direction == camera_ray(camera, {16.5f, 0.5f}).direction);

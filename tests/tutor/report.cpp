@@ -133,7 +133,7 @@ Report unbuilt_report() {
     report.verdict_lines = {
         "workshop/03_mirror/mirror.h:24:12: error: 'refelct' was not declared in this scope; did "
         "you mean 'reflect'?"};
-    report.next = "./learn hint 03 mirror_ray";
+    report.next = "./learn hint 03 reflected_ray";
     return report;
 }
 

@@ -66,8 +66,8 @@ double processor_seconds() {
 Image shoot(const Subject& subject, const Transport& transport, SamplerKind kind, int samples,
             std::uint64_t seed, int threads) {
     RenderSettings picture;
-    picture.width = int(subject.camera.size.x);
-    picture.height = int(subject.camera.size.y);
+    picture.width = int(subject.camera.resolution.x);
+    picture.height = int(subject.camera.resolution.y);
     picture.samples = samples;
     picture.seed = seed;
     picture.threads = threads;
@@ -114,10 +114,10 @@ void find_truth(Subject& subject, int samples) {
 
 Subject make_subject(const std::string& name, const Wish& wish) {
     Subject subject{name, {}, {}, {}, {}};
-    const Pose pose = name == "cornell" ? cornell(subject.scene) : room(subject.scene);
+    const LookAt look_at = name == "cornell" ? cornell(subject.scene) : room(subject.scene);
     prepare(subject.scene);
     subject.lights = area_lights(subject.scene);
-    subject.camera = make_camera(pose, wish.size, wish.size);
+    subject.camera = make_camera(look_at, wish.size, wish.size);
     find_truth(subject, wish.truth);
     return subject;
 }

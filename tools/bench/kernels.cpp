@@ -1,6 +1,6 @@
 // The small parts of a renderer, each alone and over and over: Google Benchmark's rules of measurement.
-#include "02_shadows/light.h"
-#include "04_refraction/glass.h"
+#include "02_shadows/point_light.h"
+#include "04_refraction/dielectric.h"
 #include "05_mesh_bvh/box.h"
 #include "05_mesh_bvh/triangle.h"
 #include "06_textures/texture.h"
@@ -115,7 +115,7 @@ void fresnel_term(benchmark::State& state) {
     Random random(6);
     std::vector<float> cosines(inputs);
     for (float& cosine : cosines) cosine = random.uniform();
-    repeat(state, [&](std::size_t i) { return fresnel(cosines[i], 1 / 1.5f); });
+    repeat(state, [&](std::size_t i) { return fresnel_dielectric(cosines[i], 1 / 1.5f); });
 }
 
 void texture(benchmark::State& state) {

@@ -17,7 +17,7 @@ namespace rt::bench {
 struct Subject {
     std::string name;
     Mesh mesh;
-    Pose pose;
+    LookAt look_at;
     vec3 light_corner, light_u, light_v; ///< the square's corner and edges
 };
 
@@ -168,7 +168,7 @@ inline Subject knot_field(const std::string& name, int triangles) {
     }
     const float s = float(side);
     furnish(subject, {vec3(-0.3f, -0.1f, -0.3f), vec3(s + 0.3f, s + 0.2f, s + 0.9f)});
-    subject.pose = {
+    subject.look_at = {
         .from = {0.2f * s, 0.7f * s, s + 0.8f}, .at = {0.55f * s, 0.42f * s, 0.4f * s}, .fov = 55};
     return subject;
 }
@@ -184,7 +184,7 @@ inline Subject animal(const std::string& name) {
     const float r = length(box.high - box.low) / 2;
     const vec3 floor(center.x, box.low.y - 0.001f * r, center.z);
     furnish(subject, {floor - r * vec3(2.5f, 0, 2.5f), floor + r * vec3(2.5f, 3, 2.5f)});
-    subject.pose = {.from = center + r * vec3(0.7f, 0.6f, 1.5f), .at = center, .fov = 50};
+    subject.look_at = {.from = center + r * vec3(0.7f, 0.6f, 1.5f), .at = center, .fov = 50};
     return subject;
 }
 

@@ -1,7 +1,7 @@
 // The three kinds of rays that a path tracer sends: from the camera, onward from what it sees, and to a lamp.
 #pragma once
 
-#include "02_shadows/offset.h"
+#include "02_shadows/spawn_ray.h"
 #include "08_indirect/bounce.h"
 #include "common/math/random.h"
 #include "tools/bench/meshes.h"
@@ -22,7 +22,7 @@ struct RaySets {
 /// A picture of `size` x `size` pixels, in tiles of 16 x 16 (`size` is a multiple of it) and rows within a
 /// tile.
 inline std::vector<Ray> primary_rays(const Subject& subject, int size) {
-    const Camera camera = make_camera(subject.pose, size, size);
+    const Camera camera = make_camera(subject.look_at, size, size);
     const int tile = 16, columns = size / tile;
     std::vector<Ray> rays;
     rays.reserve(std::size_t(size) * std::size_t(size));

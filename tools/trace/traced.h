@@ -71,9 +71,9 @@ inline void say_hit(const Scene& scene, const Ray& ray, const std::optional<Hit>
     const auto& material = scene.materials[std::size_t(hit->material)];
     const std::string name = std::visit([](const auto& arm) { return name_of(arm); }, material);
     say("  meets material %d, a %s, at t = %.6g%s", hit->material, name.c_str(), double(hit->t),
-        hit->inside ? ", from inside" : "");
+        hit->back_face ? ", from inside" : "");
     say("  point %s, normal %s, uv (%.4g %.4g)", place(scene, hit->position).c_str(),
-        text(hit->normal).c_str(), double(hit->uv.x), double(hit->uv.y));
+        text(hit->shading_normal).c_str(), double(hit->uv.x), double(hit->uv.y));
 }
 
 /// Calls radiance(), one level deeper.
@@ -110,12 +110,12 @@ inline vec3 radiance(const TracedScene& scene, const Ray& ray) {
     return trace::below([&] { return radiance<TracedScene>(scene, ray); });
 }
 #elif RT_STEP == 3
-inline vec3 radiance(const TracedScene& scene, const Ray& ray, int depth) {
-    return trace::below([&] { return radiance<TracedScene>(scene, ray, depth); });
+inline vec3 radiance(const TracedScene& scene, const Ray& ray, int bounces_left) {
+    return trace::below([&] { return radiance<TracedScene>(scene, ray, bounces_left); });
 }
 #elif RT_STEP <= 7
-inline vec3 radiance(const TracedScene& scene, const Ray& ray, int depth, vec3 absorption = vec3(0)) {
-    return trace::below([&] { return radiance<TracedScene>(scene, ray, depth, absorption); });
+inline vec3 radiance(const TracedScene& scene, const Ray& ray, int bounces_left, vec3 absorption = vec3(0)) {
+    return trace::below([&] { return radiance<TracedScene>(scene, ray, bounces_left, absorption); });
 }
 #else
 template <UniformSource Source>

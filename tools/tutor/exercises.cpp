@@ -45,7 +45,7 @@ std::string indentation(const std::string& line) {
     throw Error(path + ":" + std::to_string(line) + ": " + what);
 }
 
-/// "mirror_ray" from "inline Ray mirror_ray(const Ray& ray, ..."; nothing for what is no function.
+/// "reflected_ray" from "inline Ray reflected_ray(const Ray& ray, ..."; nothing for what is no function.
 std::optional<std::string> function_name(const std::string& line) {
     if (line.empty() || std::string(" \t/}#").find(line[0]) != std::string::npos) return std::nullopt;
     const auto bracket = line.find('(');

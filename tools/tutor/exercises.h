@@ -12,7 +12,7 @@ namespace rt {
 struct Exercise {
     std::string step;      ///< "03_mirror"
     std::string file;      ///< "mirror.h"
-    std::string function;  ///< that the region stands in: "mirror_ray"
+    std::string function;  ///< that the region stands in: "reflected_ray"
     std::string name;      ///< the function's, unless the step has another of that name: unique in the step
     int line = 0;          ///< of //> in the reference, from 1
     int last_line = 0;     ///< of //<

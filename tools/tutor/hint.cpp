@@ -1,4 +1,4 @@
-// ./learn hint 03 mirror_ray: one tier more at each call, and never the code.
+// ./learn hint 03 reflected_ray: one tier more at each call, and never the code.
 #include "tools/tutor/commands.h"
 #include "tools/tutor/hints.h"
 

@@ -103,7 +103,8 @@ void add_hint(CLI::App& app, Words& words) {
             show_hints(project, find_step(project, words.step), words.name, wish_of(words), std::cout);
         });
     with_step(hint, words);
-    hint->add_option("FUNCTION", words.name, "as in mirror_ray; without it, a list of the step's functions");
+    hint->add_option("FUNCTION", words.name,
+                     "as in reflected_ray; without it, a list of the step's functions");
     CLI::Option* const again = hint->add_flag("--again", words.again, "the last hint once more");
     CLI::Option* const all = hint->add_flag("--all", words.all, "all three")->excludes(again);
     hint->add_flag("--reset", words.reset, "forget which were shown")->excludes(again)->excludes(all);

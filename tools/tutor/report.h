@@ -30,7 +30,7 @@ struct Report {
     std::string mistake_title, mistake_confidence, mistake_shows, mistake_why,
         mistake_fix;                       ///< empty: none known
     std::filesystem::path mistake_picture; ///< the gallery's wrong picture, may be missing
-    std::string next;                      ///< "./learn hint 03 mirror_ray"
+    std::string next;                      ///< "./learn hint 03 reflected_ray"
     std::string settings;                  ///< "480 x 480, 16 samples a pixel, seed 1"
     std::filesystem::path root; ///< of the project: the page's frame is tools/tutor/report.html in it
 };

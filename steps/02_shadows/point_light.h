@@ -1,9 +1,9 @@
 // A point light, what it sheds on a surface, and the shadow of whatever stands between.
 #pragma once
 
-#include "01_spheres/background.h"
 #include "01_spheres/diffuse.h"
-#include "02_shadows/offset.h"
+#include "01_spheres/sky.h"
+#include "02_shadows/spawn_ray.h"
 
 namespace rt {
 
@@ -14,7 +14,7 @@ struct PointLight {
 
 /// A scene that can also tell, sooner than it finds the nearest hit, whether there is any.
 template <typename Scene>
-concept CastsShadows = Traceable<Scene> && requires(const Scene& scene, const Ray& ray) {
+concept Occludable = Traceable<Scene> && requires(const Scene& scene, const Ray& ray) {
     { occluded(scene, ray) } -> std::same_as<bool>;
 };
 
@@ -23,22 +23,22 @@ concept CastsShadows = Traceable<Scene> && requires(const Scene& scene, const Ra
 inline vec3 irradiance(const PointLight& light, vec3 position, vec3 normal) {
     //> the cosine to the normal, over the square of the distance
     const vec3 to_light = light.position - position;
-    const float squared = dot(to_light, to_light);
-    if (squared == 0) return vec3(0); // the lamp itself
-    const float cosine = dot(to_light, normal) / std::sqrt(squared);
-    return light.intensity * glm::max(cosine, 0.0f) / squared;
+    const float distance_squared = dot(to_light, to_light);
+    if (distance_squared == 0) return vec3(0); // the lamp itself
+    const float cosine = dot(to_light, normal) / std::sqrt(distance_squared);
+    return light.intensity * glm::max(cosine, 0.0f) / distance_squared;
     //< return vec3(1);
 }
 
 /// The irradiance at a hit from all point lights that it sees. Shortcut: between the two the air is clear,
 /// even within coloured glass.
-template <CastsShadows S>
-vec3 direct_light(const S& scene, const Hit& hit) {
+template <Occludable S>
+vec3 direct_irradiance(const S& scene, const Hit& hit) {
     vec3 sum(0);
     for (const PointLight& light : scene.lights) {
-        const vec3 arriving = irradiance(light, hit.position, hit.normal);
+        const vec3 unoccluded = irradiance(light, hit.position, hit.shading_normal);
         //> add it if it is any, and if nothing stands between the hit and the light
-        if (arriving != vec3(0) && !occluded(scene, segment_to(hit, light.position))) sum += arriving;
+        if (unoccluded != vec3(0) && !occluded(scene, spawn_ray_to(hit, light.position))) sum += unoccluded;
         //< sum += arriving;
     }
     return sum;
@@ -46,9 +46,10 @@ vec3 direct_light(const S& scene, const Hit& hit) {
 
 /// The radiance of a matte surface in the light of the point lights and of the sky. Shortcut: nothing stands
 /// in the sky's way, which makes it a stand-in for indirect light until step 08.
-template <CastsShadows S>
-vec3 lit(const S& scene, const Hit& hit, const Diffuse& diffuse) {
-    return reflected(diffuse, hit.tint * (direct_light(scene, hit) + irradiance(scene.sky, hit.normal)));
+template <Occludable S>
+vec3 shade_diffuse(const S& scene, const Hit& hit, const Diffuse& diffuse) {
+    return outgoing_radiance(
+        diffuse, hit.tint * (direct_irradiance(scene, hit) + irradiance(scene.sky, hit.shading_normal)));
 }
 
 } // namespace rt

@@ -21,37 +21,37 @@ TEST_CASE("an air bubble reflects all light that passes further than R / n from 
         const Ray ray = ray_beside(offset);
         const auto hit = intersect(scene, ray);
         REQUIRE(hit);
-        const Boundary side = boundary(bubble, ray, *hit);
+        const Interface interface = make_interface(bubble, ray, *hit);
         const bool total = offset > 1 / 1.5f;
-        CHECK((side.reflectance == 1) == total);
-        CHECK_MESSAGE(refracted_ray(ray, *hit, side).has_value() == !total,
+        CHECK((interface.reflectance == 1) == total);
+        CHECK_MESSAGE(refracted_ray(ray, *hit, interface).has_value() == !total,
                       "a bubble is {inside: air, outside: glass}: the ray comes from the glass");
     }
 }
 
 TEST_CASE("which medium a ray comes from is told by the side that it comes from") {
     const Medium oil{1.47f, {1, 2, 3}}, water{1.333f, {0.3f, 0.2f, 0.1f}};
-    const Glass drop{oil, water};
+    const Dielectric drop{oil, water};
     const Glassware scene = ball_of(drop);
     const Ray ray = ray_beside(0.5f);
     const auto hit = intersect(scene, ray);
     REQUIRE(hit);
-    const Boundary in = boundary(drop, ray, *hit);
-    CHECK_MESSAGE(in.here.ior == water.ior, "the ray comes from outside");
-    CHECK(in.beyond.ior == oil.ior);
-    CHECK(in.here.absorption == water.absorption);
-    CHECK(in.beyond.absorption == oil.absorption);
-    CHECK_MESSAGE(in.reflectance == approx(fresnel(std::sqrt(0.75f), 1.333f / 1.47f)),
+    const Interface in = make_interface(drop, ray, *hit);
+    CHECK_MESSAGE(in.incident_medium.ior == water.ior, "the ray comes from outside");
+    CHECK(in.transmitted_medium.ior == oil.ior);
+    CHECK(in.incident_medium.absorption_coefficient == water.absorption_coefficient);
+    CHECK(in.transmitted_medium.absorption_coefficient == oil.absorption_coefficient);
+    CHECK_MESSAGE(in.reflectance == approx(fresnel_dielectric(std::sqrt(0.75f), 1.333f / 1.47f)),
                   "at offset R / 2 the angle is 30 degrees; the direction is 2 long here, its cosine is not");
 
     const Ray out_ray{center, -2.0f * tangent};
     const auto out_hit = intersect(scene, out_ray);
     REQUIRE(out_hit);
-    const Boundary out = boundary(drop, out_ray, *out_hit);
-    CHECK_MESSAGE(out.here.ior == oil.ior, "the ray comes from inside: not every ray is entering");
-    CHECK(out.beyond.ior == water.ior);
-    CHECK(out.beyond.absorption == water.absorption);
-    CHECK(out.reflectance == approx(fresnel(1, 1.47f / 1.333f)));
+    const Interface out = make_interface(drop, out_ray, *out_hit);
+    CHECK_MESSAGE(out.incident_medium.ior == oil.ior, "the ray comes from inside: not every ray is entering");
+    CHECK(out.transmitted_medium.ior == water.ior);
+    CHECK(out.transmitted_medium.absorption_coefficient == water.absorption_coefficient);
+    CHECK(out.reflectance == approx(fresnel_dielectric(1, 1.47f / 1.333f)));
 }
 
 TEST_CASE("a refracted ray starts just beyond the boundary") {
@@ -111,7 +111,7 @@ TEST_CASE("a glass ball brings rays near its axis together 1.5 radii from its ce
 
 TEST_CASE("a ray that entered a glass ball from outside can always leave it") {
     for (const float ior : {1.01f, 1.5f, 2.417f, 4.0f}) {
-        const Glass glass{{ior}};
+        const Dielectric glass{{ior}};
         const Glassware scene = ball_of(glass);
         for (float offset = 0; offset < 0.995f; offset += 0.03f) {
             INFO("n = ", ior, ", offset ", offset);
@@ -120,8 +120,9 @@ TEST_CASE("a ray that entered a glass ball from outside can always leave it") {
             REQUIRE(inside);
             const auto hit = intersect(scene, *inside);
             REQUIRE(hit);
-            const Boundary out = boundary(glass, *inside, *hit);
-            CHECK(out.reflectance == approx(boundary(glass, ray, *intersect(scene, ray)).reflectance, 2e-3f));
+            const Interface out = make_interface(glass, *inside, *hit);
+            CHECK(out.reflectance ==
+                  approx(make_interface(glass, ray, *intersect(scene, ray)).reflectance, 2e-3f));
             CHECK(refracted_ray(*inside, *hit, out).has_value());
         }
     }
@@ -150,13 +151,13 @@ TEST_CASE("a ray through a bubble in a ball passes air, glass, air, glass and ai
         INFO("boundary ", i + 1);
         const auto hit = intersect(scene, ray);
         REQUIRE(hit);
-        const Boundary side =
-            boundary(std::get<Glass>(scene.materials[std::size_t(hit->material)]), ray, *hit);
-        CHECK(side.here.ior == indices[i]);
-        CHECK(side.beyond.ior == indices[i + 1]);
-        const auto onward = refracted_ray(ray, *hit, side);
-        REQUIRE(onward);
-        ray = *onward;
+        const Interface interface =
+            make_interface(std::get<Dielectric>(scene.materials[std::size_t(hit->material)]), ray, *hit);
+        CHECK(interface.incident_medium.ior == indices[i]);
+        CHECK(interface.transmitted_medium.ior == indices[i + 1]);
+        const auto refracted = refracted_ray(ray, *hit, interface);
+        REQUIRE(refracted);
+        ray = *refracted;
         // Concentric spheres keep n b: the distance of the ray's line from the centre, times the index.
         const float b = length(cross(ray.origin - center, ray.direction)) / length(ray.direction);
         CHECK(indices[i + 1] * b == approx(0.3f * radius, 1e-4f));

@@ -7,23 +7,23 @@ namespace rt {
 
 /// The hit's position, moved off the surface by the error it may have, to the side that `direction` points
 /// to. Along the geometric normal: an interpolated one may lean into the surface.
-inline vec3 offset_position(const Hit& hit, vec3 direction) {
+inline vec3 offset_ray_origin(const Hit& hit, vec3 direction) {
     //> step along the geometric normal, outward or inward
-    const float side = dot(direction, hit.geometric_normal) < 0 ? -1.0f : 1.0f;
-    return hit.position + side * hit.error * hit.geometric_normal;
+    const float sign = dot(direction, hit.geometric_normal) < 0 ? -1.0f : 1.0f;
+    return hit.position + sign * hit.position_error * hit.geometric_normal;
     //< return hit.position;
 }
 
 /// A ray that leaves the hit in this direction and may go on for ever.
-inline Ray ray_from(const Hit& hit, vec3 direction) {
-    return {offset_position(hit, direction), direction};
+inline Ray spawn_ray(const Hit& hit, vec3 direction) {
+    return {offset_ray_origin(hit, direction), direction};
 }
 
 /// The segment from the hit to `target`: t runs from 0 to 1, so nothing beyond the target counts. It starts on
 /// the side that the ray came from, which is the one that is lit: a target behind the surface is hidden by it.
-inline Ray segment_to(const Hit& hit, vec3 target) {
+inline Ray spawn_ray_to(const Hit& hit, vec3 target) {
     //> start beside the surface, and let the direction be the whole way
-    const vec3 start = offset_position(hit, hit.geometric_normal);
+    const vec3 start = offset_ray_origin(hit, hit.geometric_normal);
     return {start, target - start, 0, 1};
     //< return {hit.position, target - hit.position};
 }

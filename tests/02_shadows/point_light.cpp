@@ -1,7 +1,7 @@
 // Facts about a point light: what it sheds on a surface, and what hides it.
 #include "tests/check.h"
 
-#include "02_shadows/light.h"
+#include "02_shadows/point_light.h"
 #include "02_shadows/scene.h"
 
 #include "tests/02_shadows/step.h"
@@ -75,12 +75,13 @@ TEST_CASE("a ball between a point and a light hides all of it") {
     const Hit hit = hit_at(somewhere, tilted);
     const PointLight light{somewhere + 5.0f * way, vec3(10)};
     const vec3 free = irradiance(light, somewhere, tilted);
-    CHECK_MESSAGE(direct_light(lit_balls({light}, {}), hit) == approx(free), "nothing stands in the way");
+    CHECK_MESSAGE(direct_irradiance(lit_balls({light}, {}), hit) == approx(free),
+                  "nothing stands in the way");
     for (const float where : {0.7f, 2.0f, 4.4f}) { // metres from the point, on the way to the light
         const Scene scene = lit_balls({light}, {{somewhere + where * way, 0.5f, 0}});
         INFO("the ball is " << where << " metres away, the light 5");
         CHECK_MESSAGE(
-            direct_light(scene, hit) == vec3(0),
+            direct_irradiance(scene, hit) == vec3(0),
             "lit: the shadow ray is missing, reversed, or ends too soon (t_max = 1 with a unit direction)");
     }
 }
@@ -92,7 +93,7 @@ TEST_CASE("a ball beyond the light casts no shadow") {
     for (const float where : {5.6f, 8.0f, 25.0f}) {
         const Scene scene = lit_balls({light}, {{somewhere + where * way, 0.5f, 0}});
         INFO("the ball is " << where << " metres away, the light 5");
-        CHECK_MESSAGE(direct_light(scene, hit) == approx(irradiance(light, somewhere, tilted)),
+        CHECK_MESSAGE(direct_irradiance(scene, hit) == approx(irradiance(light, somewhere, tilted)),
                       "a shadow ray is a segment: it ends at the light");
     }
 }
@@ -101,8 +102,8 @@ TEST_CASE("a light within a metre is no further than it is") {
     // With the direction as the whole way t_max is 1: t_max = r would be r times too far or too short.
     const Hit hit = hit_at(somewhere, tilted);
     const PointLight light{somewhere + 0.4f * tilted, vec3(1)};
-    CHECK(direct_light(lit_balls({light}, {{somewhere + 0.2f * tilted, 0.05f, 0}}), hit) == vec3(0));
-    CHECK(direct_light(lit_balls({light}, {{somewhere + 0.6f * tilted, 0.05f, 0}}), hit) ==
+    CHECK(direct_irradiance(lit_balls({light}, {{somewhere + 0.2f * tilted, 0.05f, 0}}), hit) == vec3(0));
+    CHECK(direct_irradiance(lit_balls({light}, {{somewhere + 0.6f * tilted, 0.05f, 0}}), hit) ==
           approx(irradiance(light, somewhere, tilted)));
 }
 
@@ -110,19 +111,20 @@ TEST_CASE("a ball on the other side of the point casts no shadow on it") {
     const Hit hit = hit_at(somewhere, tilted);
     const PointLight light{somewhere + 3.0f * tilted, vec3(10)};
     const Scene behind = lit_balls({light}, {{somewhere - 1.5f * tilted, 1, 0}});
-    CHECK_MESSAGE(direct_light(behind, hit) == approx(irradiance(light, somewhere, tilted)),
+    CHECK_MESSAGE(direct_irradiance(behind, hit) == approx(irradiance(light, somewhere, tilted)),
                   "the shadow ray goes the wrong way");
     const Scene aside = lit_balls({light}, {{somewhere + 1.5f * tilted + 1.1f * beside(tilted), 1, 0}});
-    CHECK(direct_light(aside, hit) == approx(irradiance(light, somewhere, tilted)));
+    CHECK(direct_irradiance(aside, hit) == approx(irradiance(light, somewhere, tilted)));
 }
 
 TEST_CASE("a wall hides the light behind it") {
     Scene scene = lit_balls({{somewhere + 3.0f * tilted, vec3(10)}}, {});
     scene.planes = {{somewhere + 2.0f * tilted, normalize(tilted + 0.4f * beside(tilted)), 0}};
     const Hit hit = make_hit(Ray{somewhere + tilted, -tilted, 0, 1}, tilted, {0, 0}, 0);
-    CHECK(direct_light(scene, hit) == vec3(0));
+    CHECK(direct_irradiance(scene, hit) == vec3(0));
     scene.planes[0].point = somewhere + 4.5f * tilted;
-    CHECK_MESSAGE(direct_light(scene, hit) == approx(vec3(10.0f / 9)), "the wall stands beyond the light");
+    CHECK_MESSAGE(direct_irradiance(scene, hit) == approx(vec3(10.0f / 9)),
+                  "the wall stands beyond the light");
 }
 
 TEST_CASE("each light has its own shadow") {
@@ -130,9 +132,9 @@ TEST_CASE("each light has its own shadow") {
     const vec3 left = normalize(tilted - beside(tilted)), right = normalize(tilted + beside(tilted));
     const PointLight red{somewhere + 4.0f * left, {8, 0, 0}}, blue{somewhere + 4.0f * right, {0, 0, 8}};
     const float share = 0.5f * 0.70710678f; // 8 / 16, at 45 degrees
-    CHECK(direct_light(lit_balls({red, blue}, {}), hit) == approx(vec3(share, 0, share)));
-    CHECK(direct_light(lit_balls({red, blue}, {{somewhere + 2.0f * left, 0.5f, 0}}), hit) ==
+    CHECK(direct_irradiance(lit_balls({red, blue}, {}), hit) == approx(vec3(share, 0, share)));
+    CHECK(direct_irradiance(lit_balls({red, blue}, {{somewhere + 2.0f * left, 0.5f, 0}}), hit) ==
           approx(vec3(0, 0, share)));
-    CHECK(direct_light(lit_balls({red, blue}, {{somewhere + 2.0f * right, 0.5f, 0}}), hit) ==
+    CHECK(direct_irradiance(lit_balls({red, blue}, {{somewhere + 2.0f * right, 0.5f, 0}}), hit) ==
           approx(vec3(share, 0, 0)));
 }

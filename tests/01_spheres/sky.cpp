@@ -1,7 +1,7 @@
 // Facts about the sky: its radiance, and what it sheds on a surface.
 #include "tests/check.h"
 
-#include "01_spheres/background.h"
+#include "01_spheres/sky.h"
 
 #include "tests/01_spheres/step.h"
 

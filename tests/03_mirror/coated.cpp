@@ -9,8 +9,8 @@ TEST_CASE("a reflective surface blends its base with what it mirrors") {
     for (const float reflectivity : {0.0f, 0.25f, 0.8f, 1.0f}) {
         Scene scene = one_tile();
         scene.quads[0].material = 1;
-        add(scene.materials, flat(glow));
-        add(scene.materials, Reflective{reflectivity, 0, tint});
+        add(scene.materials, emissive(glow));
+        add(scene.materials, Coated{reflectivity, 0, tint});
         const vec3 seen = radiance(scene, to_tile, 5);
         INFO("reflectivity " << reflectivity);
         CHECK_MESSAGE(
@@ -35,8 +35,8 @@ TEST_CASE("at reflectivity 0 a surface is its base, at 1 a mirror, to the last b
         scene.quads[0].material = material;
         return radiance(scene, to_tile, 5);
     };
-    CHECK(seen(add(scene.materials, Reflective{0, matte, tint})) == seen(matte));
-    CHECK(seen(add(scene.materials, Reflective{1, matte, tint})) == seen(mirror));
+    CHECK(seen(add(scene.materials, Coated{0, matte, tint})) == seen(matte));
+    CHECK(seen(add(scene.materials, Coated{1, matte, tint})) == seen(mirror));
 }
 
 TEST_CASE("the base of a reflective surface is lit and in shadow like any other") {
@@ -44,7 +44,7 @@ TEST_CASE("the base of a reflective surface is lit and in shadow like any other"
     scene.quads = {tile(somewhere, tilted, 1, 1)};
     scene.lights = {{somewhere + 2.0f * tilted, vec3(pi)}};
     add(scene.materials, Diffuse{{0.8f, 0.4f, 0.5f}});
-    add(scene.materials, Reflective{0.25f, 0, vec3(1)});
+    add(scene.materials, Coated{0.25f, 0, vec3(1)});
     CHECK(radiance(scene, to_tile, 5) == approx(0.75f * vec3(0.2f, 0.1f, 0.125f)));
     scene.spheres = {{somewhere + 1.5f * tilted, 0.1f, 0}};
     CHECK(radiance(scene, to_tile, 5) == vec3(0));
@@ -53,8 +53,8 @@ TEST_CASE("the base of a reflective surface is lit and in shadow like any other"
 TEST_CASE("a reflective checker shows its squares through the mirror") {
     const vec3 even(0.8f, 0.2f, 0.1f), odd(0.1f, 0.4f, 0.3f), tint(0.5f, 0.9f, 0.2f);
     Scene scene{.sky = {c, c}};
-    add(scene.materials, Checker{even, odd, 0.5f});
-    scene.planes = {{{0, 0, 0}, {0, 1, 0}, add(scene.materials, Reflective{0.25f, 0, tint})}};
+    add(scene.materials, Checkerboard{even, odd, 0.5f});
+    scene.planes = {{{0, 0, 0}, {0, 1, 0}, add(scene.materials, Coated{0.25f, 0, tint})}};
     const auto seen = [&](float x, float z) {
         const vec3 view(0.6f, -1, 0.4f);
         return radiance(scene, Ray{vec3(x, 0, z) - 2.0f * view, view}, 5);
@@ -70,7 +70,7 @@ TEST_CASE("a reflective coat may lie over a mirror") {
         Scene scene = one_tile();
         scene.quads[0].material = 1;
         add(scene.materials, Mirror{silver});
-        add(scene.materials, Reflective{reflectivity, 0, coat});
+        add(scene.materials, Coated{reflectivity, 0, coat});
         INFO("reflectivity " << reflectivity);
         CHECK(radiance(scene, to_tile, 5) ==
               approx((1 - reflectivity) * silver * c + reflectivity * coat * c));
@@ -85,9 +85,9 @@ TEST_CASE("a reflective coat may lie over another one") {
     const vec3 outer(0.5f, 0.9f, 0.2f), inner(1, 0.3f, 0.6f), glow(3, 0.3f, 1);
     Scene scene = one_tile();
     scene.quads[0].material = 2;
-    add(scene.materials, flat(glow));
-    add(scene.materials, Reflective{0.4f, 0, inner});
-    add(scene.materials, Reflective{0.25f, 1, outer});
+    add(scene.materials, emissive(glow));
+    add(scene.materials, Coated{0.4f, 0, inner});
+    add(scene.materials, Coated{0.25f, 1, outer});
     const vec3 base = 0.6f * glow + 0.4f * inner * c;
     CHECK(radiance(scene, to_tile, 5) == approx(0.75f * base + 0.25f * outer * c));
     CHECK_MESSAGE(radiance(scene, to_tile, 0) == approx(0.75f * 0.6f * glow), "the base needs no depth");
@@ -97,8 +97,8 @@ TEST_CASE("a reflective surface counts as a mirror, and its base costs no depth"
     const vec3 glow(3, 0.3f, 1);
     Scene scene = one_tile();
     scene.quads[0].material = 1;
-    add(scene.materials, flat(glow));
-    add(scene.materials, Reflective{0.25f, 0, vec3(1)});
+    add(scene.materials, emissive(glow));
+    add(scene.materials, Coated{0.25f, 0, vec3(1)});
     CHECK_MESSAGE(radiance(scene, to_tile, 1) == approx(0.75f * glow + 0.25f * c), "one mirror on the way");
     CHECK_MESSAGE(radiance(scene, to_tile, 0) == approx(0.75f * glow),
                   "no mirror is allowed: the base stays, its share does not grow");
@@ -108,8 +108,7 @@ TEST_CASE("two lacquered walls show each other as often as the depth says") {
     // At each wall .75 of the glow, and .25 of what the other one shows: a geometric series.
     for (int depth = 0; depth <= 6; ++depth) {
         Hall hall(20, vec3(0));
-        hall.scene.materials = {Reflective{0.25f, 2, vec3(1)}, Reflective{0.25f, 2, vec3(1)},
-                                flat({4, 8, 2})};
+        hall.scene.materials = {Coated{0.25f, 2, vec3(1)}, Coated{0.25f, 2, vec3(1)}, emissive({4, 8, 2})};
         INFO("depth " << depth);
         CHECK(radiance(hall.scene, hall.ray, depth) ==
               approx(vec3(4, 8, 2) * (1 - std::pow(0.25f, float(depth + 1)))));
@@ -120,7 +119,7 @@ TEST_CASE("white things vanish in an even sky, whatever share of them is a mirro
     for (const float reflectivity : {0.0f, 0.25f, 0.5f, 1.0f}) {
         Scene scene{.sky = {c, c}};
         add(scene.materials, Diffuse{vec3(1)});
-        add(scene.materials, Reflective{reflectivity, 0, vec3(1)});
+        add(scene.materials, Coated{reflectivity, 0, vec3(1)});
         scene.spheres = {{somewhere, 2, 1}};
         CHECK(radiance(scene, Ray{somewhere + vec3(4, 3, 5), {-0.7f, -0.5f, -1}}, 4) == approx(c));
     }

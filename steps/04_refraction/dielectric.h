@@ -10,40 +10,40 @@ namespace rt {
 
 /// What light travels in.
 struct Medium {
-    float ior = 1;      ///< index of refraction: 1 air, 1.333 water, 1.5 glass, 2.417 diamond
-    vec3 absorption{0}; ///< 1/m; what is left after d metres is exp(-absorption d) (Beer-Lambert)
+    float ior = 1;                  ///< index of refraction: 1 air, 1.333 water, 1.5 glass, 2.417 diamond
+    vec3 absorption_coefficient{0}; ///< sigma_a, 1/m; what is left after d metres is exp(-sigma_a d)
 };
 
 /// A clear boundary between two media. It names both, so that a bubble of air in glass is simply {air,
 /// glass}.
-struct Glass {
-    Medium inside;
-    Medium outside{};
+struct Dielectric {
+    Medium interior;
+    Medium exterior{};
 };
 
 /// The share of the light that is left after `distance` metres (Beer-Lambert).
-inline vec3 transmittance(vec3 absorption, float distance) {
+inline vec3 transmittance(vec3 absorption_coefficient, float distance) {
     //> e to the minus absorption times distance
-    return exp(-absorption * distance);
+    return exp(-absorption_coefficient * distance);
     //< return vec3(1);
 }
 
 /// Snell: sin_t = eta sin_i with eta = n_i / n_t, as the cosine cos_t >= 0. Nothing if the light cannot
 /// leave: total internal reflection. cos_i in [0, 1].
-inline std::optional<float> refracted_cosine(float cos_i, float eta) {
+inline std::optional<float> cos_transmitted(float cos_i, float eta) {
     //> from 1 - cos_t^2 = eta^2 (1 - cos_i^2), in an order that gives cos_t = cos_i where eta is 1
-    const float squared = (1 - eta * eta) + eta * eta * cos_i * cos_i;
-    if (squared <= 0) return std::nullopt;
-    return std::sqrt(squared);
+    const float cos_t_squared = (1 - eta * eta) + eta * eta * cos_i * cos_i;
+    if (cos_t_squared <= 0) return std::nullopt;
+    return std::sqrt(cos_t_squared);
     //< return cos_i;
 }
 
 /// The share of unpolarised light that a boundary between two clear media reflects, in [0, 1]: the mean of
 /// Fresnel's two polarisations, r_s = (eta c_i - c_t) / (eta c_i + c_t) and r_p = (c_i - eta c_t) / (c_i +
 /// eta c_t), squared.
-inline float fresnel(float cos_i, float eta) {
+inline float fresnel_dielectric(float cos_i, float eta) {
     //> 1 if nothing gets through, otherwise the mean of the two squares
-    const auto cos_t = refracted_cosine(cos_i, eta);
+    const auto cos_t = cos_transmitted(cos_i, eta);
     if (!cos_t) return 1;
     const float s = (eta * cos_i - *cos_t) / (eta * cos_i + *cos_t);
     const float p = (cos_i - eta * *cos_t) / (cos_i + eta * *cos_t);
@@ -54,35 +54,37 @@ inline float fresnel(float cos_i, float eta) {
 /// The direction beyond the boundary, of the same length as `direction`; `normal` is unit and faces it.
 /// Snell in vector form: the tangent part shrinks by eta, the rest goes along -n.
 inline std::optional<vec3> refract(vec3 direction, vec3 normal, float eta) {
-    const float size = length(direction);
-    const float cos_i = glm::min(-dot(direction, normal) / size, 1.0f);
+    const float magnitude = length(direction);
+    const float cos_i = glm::min(-dot(direction, normal) / magnitude, 1.0f);
     //> eta d + (eta cos_i - cos_t) n
-    const auto cos_t = refracted_cosine(cos_i, eta);
+    const auto cos_t = cos_transmitted(cos_i, eta);
     if (!cos_t) return std::nullopt;
-    return eta * direction + size * (eta * cos_i - *cos_t) * normal;
+    return eta * direction + magnitude * (eta * cos_i - *cos_t) * normal;
     //< return direction;
 }
 
 /// What a glass boundary does with a ray: how much it reflects, what lies on the ray's side, and what lies
 /// beyond.
-struct Boundary {
-    Medium here;
-    Medium beyond;
+struct Interface {
+    Medium incident_medium;
+    Medium transmitted_medium;
     float reflectance;
 };
 
-inline Boundary boundary(const Glass& glass, const Ray& ray, const Hit& hit) {
-    const Medium& here = hit.inside ? glass.inside : glass.outside;
-    const Medium& beyond = hit.inside ? glass.outside : glass.inside;
-    const float cos_i = glm::clamp(-dot(ray.direction, hit.normal) / length(ray.direction), 0.0f, 1.0f);
-    return {here, beyond, fresnel(cos_i, here.ior / beyond.ior)};
+inline Interface make_interface(const Dielectric& dielectric, const Ray& ray, const Hit& hit) {
+    const Medium& incident = hit.back_face ? dielectric.interior : dielectric.exterior;
+    const Medium& transmitted = hit.back_face ? dielectric.exterior : dielectric.interior;
+    const float cos_i =
+        glm::clamp(-dot(ray.direction, hit.shading_normal) / length(ray.direction), 0.0f, 1.0f);
+    return {incident, transmitted, fresnel_dielectric(cos_i, incident.ior / transmitted.ior)};
 }
 
 /// The ray that goes on through the boundary, if any does.
-inline std::optional<Ray> refracted_ray(const Ray& ray, const Hit& hit, const Boundary& boundary) {
-    const auto direction = refract(ray.direction, hit.normal, boundary.here.ior / boundary.beyond.ior);
+inline std::optional<Ray> refracted_ray(const Ray& ray, const Hit& hit, const Interface& interface) {
+    const auto direction = refract(ray.direction, hit.shading_normal,
+                                   interface.incident_medium.ior / interface.transmitted_medium.ior);
     if (!direction) return std::nullopt;
-    return ray_from(hit, *direction);
+    return spawn_ray(hit, *direction);
 }
 
 } // namespace rt

@@ -1,6 +1,6 @@
 // Facts about a boundary of glass: where a refracted ray goes, where none goes on, how much is reflected, and
 // what a medium leaves of it.
-#include "04_refraction/glass.h"
+#include "04_refraction/dielectric.h"
 #include "tests/04_refraction/step.h"
 
 using namespace rt;
@@ -47,11 +47,11 @@ TEST_CASE("n sin(theta) is the same on both sides of a boundary, and no ray leav
     }
 }
 
-TEST_CASE("refracted_cosine gives the cosine of the angle beyond the boundary") {
-    const auto into = refracted_cosine(cosine(45), 1 / 1.5f);
+TEST_CASE("cos_transmitted gives the cosine of the angle beyond the boundary") {
+    const auto into = cos_transmitted(cosine(45), 1 / 1.5f);
     REQUIRE(into);
     CHECK_MESSAGE(*into == approx(cosine(28.1255f)), ".7778: that is its square; .4714: that is the sine");
-    const auto out = refracted_cosine(cosine(28.1255f), 1.5f);
+    const auto out = cos_transmitted(cosine(28.1255f), 1.5f);
     REQUIRE(out);
     CHECK(*out == approx(cosine(45)));
 }
@@ -82,7 +82,7 @@ TEST_CASE("between two equal media light goes straight on and nothing is reflect
         const auto direction = refract(arriving(degrees), normal, 1);
         REQUIRE(direction);
         CHECK(*direction == approx(arriving(degrees), 1e-4f));
-        CHECK(fresnel(cosine(degrees), 1) == approx(0));
+        CHECK(fresnel_dielectric(cosine(degrees), 1) == approx(0));
     }
 }
 
@@ -90,10 +90,10 @@ TEST_CASE("between two equal media even grazing light goes through") {
     for (const float cos_i : {1e-2f, 1e-4f, 1e-6f}) {
         INFO("cosine of incidence ", cos_i,
              ": 1 - cos^2 rounds to 1, so solve for cos^2 of the refracted ray");
-        const auto cos_t = refracted_cosine(cos_i, 1);
+        const auto cos_t = cos_transmitted(cos_i, 1);
         REQUIRE(cos_t);
         CHECK(*cos_t / cos_i == approx(1));
-        CHECK(fresnel(cos_i, 1) == approx(0));
+        CHECK(fresnel_dielectric(cos_i, 1) == approx(0));
     }
 }
 
@@ -121,7 +121,7 @@ TEST_CASE("total reflection begins at 41.8103 degrees in glass, 48.6066 in water
         float passes = 0, reflects = 90; // the border between the two is found by halving
         for (int i = 0; i < 30; ++i) {
             const float middle = (passes + reflects) / 2;
-            (refracted_cosine(cosine(middle), ior) ? passes : reflects) = middle;
+            (cos_transmitted(cosine(middle), ior) ? passes : reflects) = middle;
         }
         INFO("from n = ", ior, " into air");
         CHECK_MESSAGE(passes == approx(critical, 1e-5f),
@@ -130,8 +130,9 @@ TEST_CASE("total reflection begins at 41.8103 degrees in glass, 48.6066 in water
         CHECK_MESSAGE(
             !refract(arriving(critical + 0.01f), normal, ior),
             "beyond it no ray goes on: clamping the root to 0 or taking its absolute value invents one");
-        CHECK(fresnel(cosine(critical - 0.01f), ior) < 1);
-        CHECK_MESSAGE(fresnel(cosine(critical + 0.01f), ior) == 1, "all of the light is reflected");
+        CHECK(fresnel_dielectric(cosine(critical - 0.01f), ior) < 1);
+        CHECK_MESSAGE(fresnel_dielectric(cosine(critical + 0.01f), ior) == 1,
+                      "all of the light is reflected");
     }
 }
 
@@ -139,7 +140,7 @@ TEST_CASE("light that enters the denser medium is never totally reflected") {
     for (const float ior : {1.0003f, 1.333f, 1.5f, 2.417f, 4.0f}) {
         for (float degrees = 0; degrees < 90; degrees += 1.3f) {
             INFO("into n = ", ior, " at ", degrees, " degrees");
-            CHECK(refracted_cosine(cosine(degrees), 1 / ior).has_value());
+            CHECK(cos_transmitted(cosine(degrees), 1 / ior).has_value());
             CHECK(refract(arriving(degrees), normal, 1 / ior).has_value());
         }
     }
@@ -156,8 +157,8 @@ TEST_CASE("head-on, glass reflects .04, water .020373, diamond .171969, from eit
         INFO("n = ", ior);
         const std::string hint =
             ".2 for glass: r0 has to be squared; 0: Fresnel is left out; 1 - that: R and T swapped";
-        CHECK_MESSAGE(fresnel(1, 1 / ior) == approx(reflectance, 1e-6f), hint);
-        CHECK_MESSAGE(fresnel(1, ior) == approx(reflectance, 1e-6f), hint);
+        CHECK_MESSAGE(fresnel_dielectric(1, 1 / ior) == approx(reflectance, 1e-6f), hint);
+        CHECK_MESSAGE(fresnel_dielectric(1, ior) == approx(reflectance, 1e-6f), hint);
     }
 }
 
@@ -174,7 +175,7 @@ TEST_CASE("from air, glass reflects what Fresnel's equations say at each angle")
         const float degrees = known.degrees, reflectance = known.reflectance;
         INFO("at ", degrees, " degrees");
         CHECK_MESSAGE(
-            fresnel(cosine(degrees), 1 / 1.5f) == approx(reflectance, 1e-6f),
+            fresnel_dielectric(cosine(degrees), 1 / 1.5f) == approx(reflectance, 1e-6f),
             ".04 everywhere: no angle in it; .0700 at 60: that is Schlick's shortcut; 1 at 45: eta upside "
             "down; .0018 or .1766 at 60: one polarisation alone, take the mean of both");
     }
@@ -188,7 +189,7 @@ TEST_CASE("from inside, glass reflects what Fresnel's equations say at each angl
          {Known{20, 0.041729f}, {30, 0.055190f}, {40, 0.245291f}, {41, 0.379751f}, {60, 1.0f}}) {
         const float degrees = known.degrees, reflectance = known.reflectance;
         INFO("at ", degrees, " degrees");
-        CHECK_MESSAGE(fresnel(cosine(degrees), 1.5f) == approx(reflectance, 5e-6f),
+        CHECK_MESSAGE(fresnel_dielectric(cosine(degrees), 1.5f) == approx(reflectance, 5e-6f),
                       "less from 30 degrees on: the cosine of the wrong side, or eta upside down");
     }
 }
@@ -197,20 +198,21 @@ TEST_CASE("at Brewster's angle one polarisation is gone, and the two rays part a
     const float brewster = glm::degrees(std::atan(1.5f));
     CHECK(brewster == approx(56.3099f));
     CHECK_MESSAGE(
-        fresnel(cosine(brewster), 1 / 1.5f) == approx(0.0739645f, 1e-6f),
+        fresnel_dielectric(cosine(brewster), 1 / 1.5f) == approx(0.0739645f, 1e-6f),
         ".147929: that is the sum of both polarisations (.147929 and 0), or the one alone: take the mean");
-    const auto onward = refract(arriving(brewster), normal, 1 / 1.5f);
-    REQUIRE(onward);
-    CHECK(dot(*onward, reflect(arriving(brewster), normal)) == approx(0));
+    const auto refracted = refract(arriving(brewster), normal, 1 / 1.5f);
+    REQUIRE(refracted);
+    CHECK(dot(*refracted, reflect(arriving(brewster), normal)) == approx(0));
 }
 
 TEST_CASE("a boundary reflects the same share of the light that goes the same way in the other direction") {
     for (const float ior : {1.0003f, 1.333f, 1.5f, 2.417f, 4.0f}) {
         for (float degrees = 0; degrees <= 89; degrees += 1.7f) {
             INFO("n = ", ior, ", outer angle ", degrees);
-            const auto cos_t = refracted_cosine(cosine(degrees), 1 / ior);
+            const auto cos_t = cos_transmitted(cosine(degrees), 1 / ior);
             REQUIRE(cos_t);
-            CHECK_MESSAGE(fresnel(cosine(degrees), 1 / ior) == approx(fresnel(*cos_t, ior), 1e-4f),
+            CHECK_MESSAGE(fresnel_dielectric(cosine(degrees), 1 / ior) ==
+                              approx(fresnel_dielectric(*cos_t, ior), 1e-4f),
                           "F(theta_i, 1 -> n) = F(theta_t, n -> 1)");
         }
     }
@@ -220,12 +222,12 @@ TEST_CASE("a boundary reflects between nothing and everything, and everything wh
     for (float ior = 1; ior <= 4; ior += 0.0625f) {
         for (const float eta : {ior, 1 / ior}) {
             for (int i = 0; i <= 1000; ++i) {
-                const float share = fresnel(float(i) / 1000, eta);
+                const float share = fresnel_dielectric(float(i) / 1000, eta);
                 if (!(share >= 0 && share <= 1))
-                    FAIL_CHECK("fresnel(", float(i) / 1000, ", ", eta, ") = ", share);
+                    FAIL_CHECK("fresnel_dielectric(", float(i) / 1000, ", ", eta, ") = ", share);
             }
-            if (ior > 1) CHECK(fresnel(0, eta) == approx(1));
-            if (ior >= 1.0625f) CHECK(fresnel(1e-4f, eta) == approx(1, 5e-3f));
+            if (ior > 1) CHECK(fresnel_dielectric(0, eta) == approx(1));
+            if (ior >= 1.0625f) CHECK(fresnel_dielectric(1e-4f, eta) == approx(1, 5e-3f));
         }
     }
 }
