@@ -90,7 +90,7 @@ struct Bins {
         }
     }
 
-    BinnedSplit best_split(const BinMapping& mapping, std::size_t total) const {
+    BinnedSplit find_best_split(const BinMapping& mapping, std::size_t total) const {
         BinnedSplit best;
         for (int axis = 0; axis < 3; ++axis)
             if (mapping.scale[axis] > 0) sweep(axis, total, best);
@@ -191,7 +191,7 @@ std::array<PrimRange, 2> split(const PrimRange& range, const PrimRef* from, Prim
         });
         for (const Bins<bin_count>& some : bins) all.add(some);
     }
-    const BinnedSplit best = all.best_split(mapping, range.count());
+    const BinnedSplit best = all.find_best_split(mapping, range.count());
     if (best.axis < 0) return split_in_half(range, from, to);
     const Partitioner partition{from, to, mapping, best};
     const auto [left, right] =

@@ -133,7 +133,7 @@ self_test() {
 
     local order="a step includes only common, accel"
     plant "$order" steps/03_mirror/later.h "$ok#include \"04_refraction/dielectric.h\"\n"
-    plant "$order" steps/03_mirror/main.cpp "// A planted file.\n  #  include \"08_indirect/bounce.h\"\n"
+    plant "$order" steps/03_mirror/main.cpp "// A planted file.\n  #  include \"08_indirect/hemisphere.h\"\n"
     plant "$order" steps/03_mirror/other.h "$ok#include \"assets/mesh.h\"\n"
     plant "common includes nothing but common" common/step.h "$ok#include \"01_spheres/ray.h\"\n"
     plant "common includes nothing but common" common/image/tests.cpp "// A planted file.\n#include \"tests/check.h\"\n"

@@ -1,7 +1,7 @@
 // Meshes and boxes to try trees on: strewn, flat, round, doubling.
 #pragma once
 
-#include "05_mesh_bvh/box.h"
+#include "05_mesh_bvh/aabb.h"
 #include "common/model/obj_file.h"
 #include "tests/05_mesh_bvh/rays.h"
 
@@ -107,23 +107,23 @@ inline void transform(ObjFile& file, float scale, vec3 shift) {
     for (vec3& position : file.positions) position = scale * position + shift;
 }
 
-inline std::vector<Box> boxes_of(const ObjFile& file) {
-    std::vector<Box> boxes;
+inline std::vector<Aabb> boxes_of(const ObjFile& file) {
+    std::vector<Aabb> boxes;
     for (const auto& triangle : file.triangles) {
-        Box box;
-        for (const ObjCorner& corner : triangle) grow(box, file.positions[std::size_t(corner.position)]);
+        Aabb box;
+        for (const ObjCorner& corner : triangle) extend(box, file.positions[std::size_t(corner.position)]);
         boxes.push_back(box);
     }
     return boxes;
 }
 
-inline bool encloses(const Box& outer, const Box& inner) {
-    return all(lessThanEqual(outer.low, inner.low)) && all(greaterThanEqual(outer.high, inner.high));
+inline bool encloses(const Aabb& outer, const Aabb& inner) {
+    return all(lessThanEqual(outer.min, inner.min)) && all(greaterThanEqual(outer.max, inner.max));
 }
 
 /// Boxes at 2^k along an axis, so that each cut by equal bins splits off only a few of them.
-inline std::vector<Box> exponential_chain(int from, int to, vec3 axis) {
-    std::vector<Box> boxes;
+inline std::vector<Aabb> exponential_chain(int from, int to, vec3 axis) {
+    std::vector<Aabb> boxes;
     for (int k = from; k <= to; ++k) {
         const vec3 p = std::ldexp(1.0f, k) * axis;
         boxes.push_back({min(p, 1.01f * p), max(p, 1.01f * p)});

@@ -1,7 +1,7 @@
 // A bounding volume hierarchy: boxes in boxes, so that a ray asks a handful of shapes instead of all of them.
 #pragma once
 
-#include "05_mesh_bvh/box.h"
+#include "05_mesh_bvh/aabb.h"
 #include "common/util/tally.h"
 
 #include <algorithm>
@@ -14,18 +14,18 @@
 
 namespace rt {
 
-/// A leaf holds order[first] to order[first + count - 1]; an inner node (count 0) the nodes first and first +
-/// 1.
+/// A leaf holds primitive_indices[first_index] to primitive_indices[first_index + count - 1]; an inner node
+/// (count 0) the nodes first_index and first_index + 1.
 struct BvhNode {
-    Box box;
-    std::uint32_t first = 0;
+    Aabb box;
+    std::uint32_t first_index = 0;
     std::uint32_t count = 0;
 };
 
 /// It knows boxes and numbers, never a triangle: so it serves whatever has a box.
 struct Bvh {
-    std::vector<BvhNode> nodes;       ///< the root is nodes[0]; empty without shapes
-    std::vector<std::uint32_t> order; ///< the numbers of the shapes, those of a leaf side by side
+    std::vector<BvhNode> nodes;                   ///< the root is nodes[0]; empty without shapes
+    std::vector<std::uint32_t> primitive_indices; ///< the numbers of the shapes, those of a leaf side by side
 };
 
 /// Where to cut a set of shapes in two, and what a ray through both halves is expected to cost.
@@ -35,102 +35,103 @@ struct Split {
     float cost = infinity;
 };
 
-inline constexpr int bins = 16;
-inline constexpr float box_cost = 0.5f;        ///< of one box test, in triangle tests
-inline constexpr std::uint32_t leaf_limit = 8; ///< never more shapes in a leaf
+inline constexpr int bin_count = 16;
+inline constexpr float sah_traversal_cost = 0.5f; ///< of one box test, in triangle tests
+inline constexpr std::uint32_t max_leaf_size = 8; ///< never more shapes in a leaf
 
 /// The cut along `axis` with the least surface area heuristic, among the borders of equal bins (Wald 2007):
 ///     cost = (area_left count_left + area_right count_right) / area_parent.
-inline Split best_split(std::span<const std::uint32_t> shapes, std::span<const Box> boxes, const Box& middles,
-                        float parent_area, int axis) {
-    const float low = middles.low[axis];
-    const float width = (middles.high[axis] - low) / bins;
+inline Split find_best_split(std::span<const std::uint32_t> shapes, std::span<const Aabb> boxes,
+                             const Aabb& centroid_bounds, float parent_area, int axis) {
+    const float begin = centroid_bounds.min[axis];
+    const float width = (centroid_bounds.max[axis] - begin) / bin_count;
     if (!(width > 0)) return {};
     //> drop the boxes into bins, then sweep from both ends and keep the border with the least cost
-    std::array<Box, bins> bin_boxes;
-    std::array<int, bins> counts{};
+    std::array<Aabb, bin_count> bin_boxes;
+    std::array<int, bin_count> counts{};
     for (const std::uint32_t shape : shapes) {
-        const int bin = std::min(bins - 1, int((middle(boxes[shape])[axis] - low) / width));
-        grow(bin_boxes[std::size_t(bin)], boxes[shape]);
+        const int bin = std::min(bin_count - 1, int((centroid(boxes[shape])[axis] - begin) / width));
+        extend(bin_boxes[std::size_t(bin)], boxes[shape]);
         ++counts[std::size_t(bin)];
     }
-    std::array<float, bins> right_cost{};
-    Box box;
+    std::array<float, bin_count> right_cost{};
+    Aabb box;
     int count = 0;
-    for (std::size_t i = bins - 1; i > 0; --i) {
-        grow(box, bin_boxes[i]);
+    for (std::size_t i = bin_count - 1; i > 0; --i) {
+        extend(box, bin_boxes[i]);
         count += counts[i];
         right_cost[i] = half_area(box) * float(count);
     }
     Split best;
     box = {};
     count = 0;
-    for (std::size_t i = 1; i < bins; ++i) {
-        grow(box, bin_boxes[i - 1]);
+    for (std::size_t i = 1; i < bin_count; ++i) {
+        extend(box, bin_boxes[i - 1]);
         count += counts[i - 1];
         const float cost = (half_area(box) * float(count) + right_cost[i]) / parent_area;
         if (cost < best.cost && count > 0 && count < int(shapes.size()))
-            best = {axis, low + float(i) * width, cost};
+            best = {axis, begin + float(i) * width, cost};
     }
     return best;
-    //< return {axis, low + bins / 2 * width, 0};
+    //< return {axis, begin + bin_count / 2 * width, 0};
 }
 
 /// Orders `shapes` so that those left of the best cut come first and answers how many they are; 0 means that
 /// a leaf is better. Where no cut helps but the leaf would be too large, it halves by the longest axis.
-inline std::size_t partition(std::span<std::uint32_t> shapes, std::span<const Box> boxes, const Box& box,
+inline std::size_t partition(std::span<std::uint32_t> shapes, std::span<const Aabb> boxes, const Aabb& box,
                              int depth) {
-    Box middles;
-    for (const std::uint32_t shape : shapes) grow(middles, middle(boxes[shape]));
+    Aabb centroid_bounds;
+    for (const std::uint32_t shape : shapes) extend(centroid_bounds, centroid(boxes[shape]));
     Split best;
     for (int axis = 0; axis < 3 && depth < 48; ++axis) {
-        const Split split = best_split(shapes, boxes, middles, half_area(box), axis);
+        const Split split = find_best_split(shapes, boxes, centroid_bounds, half_area(box), axis);
         if (split.cost < best.cost) best = split;
     }
     const float leaf_cost = float(shapes.size());
-    if (shapes.size() <= leaf_limit && !(best.cost + 2 * box_cost < leaf_cost)) return 0;
+    if (shapes.size() <= max_leaf_size && !(best.cost + 2 * sah_traversal_cost < leaf_cost)) return 0;
     if (best.axis >= 0) {
-        const auto left = [&](std::uint32_t shape) {
-            return middle(boxes[shape])[best.axis] < best.position;
+        const auto goes_left = [&](std::uint32_t shape) {
+            return centroid(boxes[shape])[best.axis] < best.position;
         };
-        const auto split = std::partition(shapes.begin(), shapes.end(), left);
+        const auto split = std::partition(shapes.begin(), shapes.end(), goes_left);
         const auto count = std::size_t(split - shapes.begin());
         if (count > 0 && count < shapes.size()) return count;
     }
-    const vec3 size = middles.high - middles.low;
+    const vec3 size = centroid_bounds.max - centroid_bounds.min;
     const int axis = size.x > size.y && size.x > size.z ? 0 : size.y > size.z ? 1 : 2;
     const auto half = shapes.begin() + std::ptrdiff_t(shapes.size() / 2);
     std::nth_element(shapes.begin(), half, shapes.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return middle(boxes[a])[axis] < middle(boxes[b])[axis];
+        return centroid(boxes[a])[axis] < centroid(boxes[b])[axis];
     });
     return shapes.size() / 2;
 }
 
-/// Makes node number `node` of the shapes order[first] to order[first + count - 1], and all below it.
-inline void build_node(Bvh& bvh, std::span<const Box> boxes, std::uint32_t node, std::uint32_t first,
+/// Makes node number `node` of the shapes primitive_indices[first_index] to
+/// primitive_indices[first_index + count - 1], and all below it.
+inline void build_node(Bvh& bvh, std::span<const Aabb> boxes, std::uint32_t node, std::uint32_t first_index,
                        std::uint32_t count, int depth) {
-    const std::span<std::uint32_t> shapes(bvh.order.data() + first, count);
-    Box box;
-    for (const std::uint32_t shape : shapes) grow(box, boxes[shape]);
-    bvh.nodes[node] = {box, first, count};
+    const std::span<std::uint32_t> shapes(bvh.primitive_indices.data() + first_index, count);
+    Aabb box;
+    for (const std::uint32_t shape : shapes) extend(box, boxes[shape]);
+    bvh.nodes[node] = {box, first_index, count};
     if (count < 2) return;
     const auto left_count = std::uint32_t(partition(shapes, boxes, box, depth));
     if (left_count == 0) return;
 
     const auto left = std::uint32_t(bvh.nodes.size());
     bvh.nodes.resize(left + 2);
-    bvh.nodes[node].first = left;
+    bvh.nodes[node].first_index = left;
     bvh.nodes[node].count = 0;
-    build_node(bvh, boxes, left, first, left_count, depth + 1);
-    build_node(bvh, boxes, left + 1, first + left_count, count - left_count, depth + 1);
+    build_node(bvh, boxes, left, first_index, left_count, depth + 1);
+    build_node(bvh, boxes, left + 1, first_index + left_count, count - left_count, depth + 1);
 }
 
 /// The hierarchy over shapes 0, 1, ... with these boxes. The same boxes give the same tree.
-inline Bvh build_bvh(std::span<const Box> boxes) {
+inline Bvh build_bvh(std::span<const Aabb> boxes) {
     Bvh bvh;
     if (boxes.empty()) return bvh;
-    bvh.order.resize(boxes.size());
-    std::iota(bvh.order.begin(), bvh.order.end(), 0u);
+    bvh.primitive_indices.resize(boxes.size());
+    std::iota(bvh.primitive_indices.begin(), bvh.primitive_indices.end(), 0u);
     bvh.nodes.reserve(2 * boxes.size());
     bvh.nodes.resize(1);
     build_node(bvh, boxes, 0, 0, std::uint32_t(boxes.size()), 0);
@@ -142,35 +143,35 @@ inline Bvh build_bvh(std::span<const Box> boxes) {
 /// search (a shadow ray's first hit).
 template <typename Leaf>
 void traverse(const Bvh& bvh, const Ray& ray, Leaf&& leaf) {
-    struct Entry {
+    struct StackEntry {
         std::uint32_t node;
         float t;
     };
-    std::array<Entry, 96> stack; // the tree is no deeper than 48 levels of cuts and 32 of halving
+    std::array<StackEntry, 96> stack; // the tree is no deeper than 48 levels of cuts and 32 of halving
     int size = 0;
     const SlabRay slab = slab_ray(ray);
-    const auto enter = [&](std::uint32_t node) {
+    const auto intersect_box = [&](std::uint32_t node) {
         ++tally.box_tests;
-        return entry(bvh.nodes[node].box, slab, ray.t_min, ray.t_max);
+        return intersect(bvh.nodes[node].box, slab, ray.t_min, ray.t_max);
     };
     if (bvh.nodes.empty()) return;
-    if (const auto t = enter(0)) stack[size++] = {0, *t};
+    if (const auto t = intersect_box(0)) stack[size++] = {0, *t};
     while (size > 0) {
-        const Entry top = stack[std::size_t(--size)];
+        const StackEntry top = stack[std::size_t(--size)];
         if (top.t > ray.t_max) continue;
         const BvhNode& node = bvh.nodes[top.node];
         //> in a leaf ask its shapes; otherwise push the children that the ray enters, the nearer one last
         if (node.count > 0) {
-            for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
-                if (leaf(bvh.order[i])) return;
+            for (std::uint32_t i = node.first_index; i < node.first_index + node.count; ++i)
+                if (leaf(bvh.primitive_indices[i])) return;
             continue;
         }
-        const auto left = enter(node.first);
-        const auto right = enter(node.first + 1);
+        const auto left = intersect_box(node.first_index);
+        const auto right = intersect_box(node.first_index + 1);
         const bool left_first = left && (!right || *left <= *right);
-        if (left && !left_first) stack[std::size_t(size++)] = {node.first, *left};
-        if (right) stack[std::size_t(size++)] = {node.first + 1, *right};
-        if (left_first) stack[std::size_t(size++)] = {node.first, *left};
+        if (left && !left_first) stack[std::size_t(size++)] = {node.first_index, *left};
+        if (right) stack[std::size_t(size++)] = {node.first_index + 1, *right};
+        if (left_first) stack[std::size_t(size++)] = {node.first_index, *left};
         //<
     }
 }

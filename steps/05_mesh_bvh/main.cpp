@@ -2,7 +2,7 @@
 #include "01_spheres/view.h"
 #include "04_refraction/radiance.h"
 #include "05_mesh_bvh/scene.h"
-#include "05_mesh_bvh/stage.h"
+#include "05_mesh_bvh/framing.h"
 #include "common/util/paths.h"
 #include "common/cli/program.h"
 
@@ -17,19 +17,19 @@ LookAt tea_table(Scene& scene) {
 
     ObjFile fine = read_obj(asset("teapot_fine.obj"));
     fine.material_list = {{.name = "glaze", .diffuse = {0.05f, 0.16f, 0.4f}, .reflectivity = 0.12f}};
-    place(fine, 0.62f, 25, {-0.5f, 0, -0.25f});
+    transform(fine, 0.62f, 25, {-0.5f, 0, -0.25f});
     add_model(scene, fine, 40);
 
     ObjFile coarse = read_obj(asset("teapot_coarse.obj"));
     coarse.material_list = {{.name = "paper", .diffuse = {0.85f, 0.42f, 0.14f}}};
     for (auto& triangle : coarse.triangles)
         for (ObjCorner& corner : triangle) corner.normal = -1; // none of its own,
-    place(coarse, 0.34f, 150, {0.3f, 0, 0.95f});
+    transform(coarse, 0.34f, 150, {0.3f, 0, 0.95f});
     add_model(scene, coarse, 0); // and no smoothing
 
     ObjFile cat = read_obj(asset("cat.obj"));
     cat.material_list = {{.name = "chalk", .diffuse = {0.8f, 0.76f, 0.7f}}};
-    place(cat, 0.85f, -50, {1.15f, 0, 0.05f});
+    transform(cat, 0.85f, -50, {1.15f, 0, 0.05f});
     add_model(scene, cat, 40);
     return {.from = {0.35f, 1.5f, 4.2f}, .at = {0.12f, 0.48f, 0}, .fov = 32};
 }
@@ -37,8 +37,8 @@ LookAt tea_table(Scene& scene) {
 int main(int argc, char** argv) {
     Options options("05_mesh_bvh", "What if there are a hundred thousand things to hit?",
                     {.width = 640, .height = 400, .samples = 16});
-    const ModelKnobs model(options);
-    const auto accel = accel_knob(options, Accel::bvh);
+    const ModelOptions model(options);
+    const auto accel = accel_option(options, Accel::bvh);
     const int& depth = options.knob("depth", 6, 0, 24, "mirrors and boundaries that a ray may meet");
     const auto view = view_option(options);
     const CameraOptions camera_options(options,
@@ -49,10 +49,10 @@ int main(int argc, char** argv) {
         Scene scene;
         scene.accel = accel;
         scene.count_tests = view == DebugView::traversal_cost;
-        const bool own = !model.mesh.empty();
+        const bool has_model = !model.mesh.empty();
         const LookAt look_at = camera_options.look_at_or(
-            own ? stage_model(scene, model, float(width) / float(height)) : tea_table(scene));
-        prepare(scene);
+            has_model ? add_framed_model(scene, model, float(width) / float(height)) : tea_table(scene));
+        build_bvhs(scene);
         const Camera camera = make_camera(look_at, width, height);
         render([&](Sample& sample) {
             const Ray ray = camera_ray(camera, vec2(sample.x, sample.y) + r2_offset(sample.index));

@@ -3,8 +3,8 @@
 
 #include "01_spheres/hit.h"
 #include "03_mirror/mirror.h"
-#include "05_mesh_bvh/box.h"
-#include "05_mesh_bvh/smooth.h"
+#include "05_mesh_bvh/aabb.h"
+#include "05_mesh_bvh/vertex_normals.h"
 #include "05_mesh_bvh/triangle.h"
 #include "common/model/obj_file.h"
 
@@ -34,31 +34,31 @@ struct MeshHit {
     float u, v;
 };
 
-inline std::array<vec3, 3> corners(const Mesh& mesh, std::uint32_t triangle) {
+inline std::array<vec3, 3> vertices(const Mesh& mesh, std::uint32_t triangle) {
     const auto& [a, b, c] = mesh.triangles[triangle];
     return {mesh.positions[a], mesh.positions[b], mesh.positions[c]};
 }
 
-inline Box bounds(const std::array<vec3, 3>& triangle) {
-    Box box;
-    for (const vec3 corner : triangle) grow(box, corner);
+inline Aabb bounds(const std::array<vec3, 3>& triangle) {
+    Aabb box;
+    for (const vec3 corner : triangle) extend(box, corner);
     return box;
 }
 
-inline Box bounds(const Mesh& mesh, std::uint32_t triangle) {
-    return bounds(corners(mesh, triangle));
+inline Aabb bounds(const Mesh& mesh, std::uint32_t triangle) {
+    return bounds(vertices(mesh, triangle));
 }
 
-inline Box bounds(const Mesh& mesh) {
-    Box box;
-    for (const vec3 position : mesh.positions) grow(box, position);
+inline Aabb bounds(const Mesh& mesh) {
+    Aabb box;
+    for (const vec3 position : mesh.positions) extend(box, position);
     return box;
 }
 
 /// A value given at the corners, at the point with these barycentric weights.
 template <typename Value>
-Value interpolate(const std::vector<Value>& values, const std::array<std::uint32_t, 3>& corner, float u,
-                  float v) {
+Value interpolate_barycentric(const std::vector<Value>& values, const std::array<std::uint32_t, 3>& corner,
+                              float u, float v) {
     //> (1 - u - v) A + u B + v C
     return (1 - u - v) * values[corner[0]] + u * values[corner[1]] + v * values[corner[2]];
     //< return values[corner[0]];
@@ -66,52 +66,58 @@ Value interpolate(const std::vector<Value>& values, const std::array<std::uint32
 
 /// An interpolated normal may turn so far that a mirror would send the ray into the surface. Then it is bent
 /// back until the reflected ray just clears the true surface. All unit, both normals on the ray's side.
-inline vec3 clearing(vec3 direction, vec3 smooth, vec3 geometric) {
-    const vec3 reflected = reflect(direction, smooth);
-    const float height = dot(reflected, geometric);
-    const float least = 0.01f;
-    if (height >= least) return smooth;
-    return normalize(normalize(reflected + (least - height) * geometric) - direction);
+inline vec3 ensure_valid_reflection(vec3 direction, vec3 shading_normal, vec3 geometric_normal) {
+    const vec3 reflected = reflect(direction, shading_normal);
+    const float cos_reflected = dot(reflected, geometric_normal);
+    const float min_cos = 0.01f;
+    if (cos_reflected >= min_cos) return shading_normal;
+    return normalize(normalize(reflected + (min_cos - cos_reflected) * geometric_normal) - direction);
 }
 
 /// The hit at ray.t_max, where the ray was found to meet a triangle.
-inline Hit surface_hit(const MeshHit& found, const Ray& ray) {
-    const Mesh& mesh = *found.mesh;
-    const auto& corner = mesh.triangles[found.triangle];
-    const vec3 outward_normal = vec3(normalize(area_normal(corners(mesh, found.triangle))));
-    const vec3 shading_normal = normalize(interpolate(mesh.normals, corner, found.u, found.v));
-    const vec2 uv = interpolate(mesh.uvs, corner, found.u, found.v);
-    Hit hit = make_hit(ray, outward_normal, shading_normal, uv, mesh.materials[found.triangle]);
-    hit.shading_normal = clearing(normalize(ray.direction), hit.shading_normal, hit.geometric_normal);
-    if (!mesh.colors.empty()) hit.tint = interpolate(mesh.colors, corner, found.u, found.v);
+inline Hit surface_hit(const MeshHit& mesh_hit, const Ray& ray) {
+    const Mesh& mesh = *mesh_hit.mesh;
+    const auto& corner = mesh.triangles[mesh_hit.triangle];
+    const vec3 outward_normal = vec3(normalize(area_normal(vertices(mesh, mesh_hit.triangle))));
+    const vec3 shading_normal =
+        normalize(interpolate_barycentric(mesh.normals, corner, mesh_hit.u, mesh_hit.v));
+    const vec2 uv = interpolate_barycentric(mesh.uvs, corner, mesh_hit.u, mesh_hit.v);
+    Hit hit = make_hit(ray, outward_normal, shading_normal, uv, mesh.materials[mesh_hit.triangle]);
+    hit.shading_normal =
+        ensure_valid_reflection(normalize(ray.direction), hit.shading_normal, hit.geometric_normal);
+    if (!mesh.colors.empty()) hit.tint = interpolate_barycentric(mesh.colors, corner, mesh_hit.u, mesh_hit.v);
     return hit;
 }
 
-/// Appends what the file holds to `mesh`; its material m becomes number material_numbers[m]. Normals that it
+/// Appends what the file holds to `mesh`; its material m becomes number material_ids[m]. Normals that it
 /// does not give are made by smooth_normals(); uvs that it does not give are (0, 0). A file whose origin is
 /// another than the mesh's is moved.
-inline void append(Mesh& mesh, const ObjFile& file, const std::vector<int>& material_numbers, float crease) {
-    const bool complete = std::ranges::all_of(file.triangles, [](const auto& triangle) {
+inline void append_model(Mesh& mesh, const ObjFile& file, const std::vector<int>& material_ids,
+                         float crease_angle) {
+    const bool has_all_normals = std::ranges::all_of(file.triangles, [](const auto& triangle) {
         return std::ranges::all_of(triangle, [](const ObjCorner& corner) { return corner.normal >= 0; });
     });
-    const auto made = complete ? std::vector<std::array<vec3, 3>>() : smooth_normals(file, crease);
+    const auto computed_normals =
+        has_all_normals ? std::vector<std::array<vec3, 3>>() : smooth_normals(file, crease_angle);
 
     const std::size_t begin = mesh.positions.size();
     if (begin == 0) mesh.origin = file.origin;
-    const auto moved = [&, shift = file.origin - mesh.origin](vec3 p) { return vec3(dvec3(p) + shift); };
+    const auto moved = [&, translation = file.origin - mesh.origin](vec3 p) {
+        return vec3(dvec3(p) + translation);
+    };
     if (!file.colors.empty()) mesh.colors.resize(begin, vec3(1)); // what came before has none
-    Numbering numbering(file.positions.size());
-    std::vector<ObjCorner> known; // one a vertex of this file: a corner where it stands
+    IndexMap vertex_map(file.positions.size());
+    std::vector<ObjCorner> vertices; // one a vertex of this file: a corner where it stands
     const auto vertex = [&](const ObjCorner& corner, vec3 normal) {
         const auto same = [&](std::uint32_t n) {
-            return known[n].position == corner.position && known[n].uv == corner.uv &&
+            return vertices[n].position == corner.position && vertices[n].uv == corner.uv &&
                    mesh.normals[begin + n] == normal;
         };
         // Neighbours in the file stay neighbours in the table, and in the cache; yet a tip of many normals
         // spreads.
-        const std::uint32_t n = numbering(hash(normal) % 1024 + std::uint64_t(corner.position), same);
-        if (n == known.size()) {
-            known.push_back(corner);
+        const std::uint32_t n = vertex_map(hash_vec3(normal) % 1024 + std::uint64_t(corner.position), same);
+        if (n == vertices.size()) {
+            vertices.push_back(corner);
             mesh.positions.push_back(moved(file.positions[std::size_t(corner.position)]));
             if (!file.colors.empty()) mesh.colors.push_back(file.colors[std::size_t(corner.position)]);
             mesh.normals.push_back(normal);
@@ -123,23 +129,23 @@ inline void append(Mesh& mesh, const ObjFile& file, const std::vector<int>& mate
         std::array<std::uint32_t, 3> triangle{};
         for (std::size_t k = 0; k < 3; ++k) {
             const ObjCorner& corner = file.triangles[i][k];
-            const bool given = corner.normal >= 0;
-            triangle[k] =
-                vertex(corner, given ? normalize(file.normals[std::size_t(corner.normal)]) : made[i][k]);
+            const bool has_normal = corner.normal >= 0;
+            triangle[k] = vertex(corner, has_normal ? normalize(file.normals[std::size_t(corner.normal)])
+                                                    : computed_normals[i][k]);
         }
         mesh.triangles.push_back(triangle);
-        mesh.materials.push_back(material_numbers[std::size_t(file.materials[i])]);
+        mesh.materials.push_back(material_ids[std::size_t(file.materials[i])]);
     }
     if (!mesh.colors.empty()) mesh.colors.resize(mesh.positions.size(), vec3(1));
 }
 
 /// Moves a model before it is added to a scene: scaled, turned about the y axis (degrees, from +z towards
 /// +x), shifted. Its coordinates are the scene's from then on.
-inline void place(ObjFile& file, float scale, float turn, vec3 shift) {
-    const float c = std::cos(glm::radians(turn)), s = std::sin(glm::radians(turn));
-    const auto turned = [&](vec3 p) { return vec3(c * p.x + s * p.z, p.y, c * p.z - s * p.x); };
-    for (vec3& position : file.positions) position = scale * turned(position) + shift;
-    for (vec3& normal : file.normals) normal = turned(normal);
+inline void transform(ObjFile& file, float scale, float rotation_y, vec3 translation) {
+    const float c = std::cos(glm::radians(rotation_y)), s = std::sin(glm::radians(rotation_y));
+    const auto rotated = [&](vec3 p) { return vec3(c * p.x + s * p.z, p.y, c * p.z - s * p.x); };
+    for (vec3& position : file.positions) position = scale * rotated(position) + translation;
+    for (vec3& normal : file.normals) normal = rotated(normal);
     file.origin = dvec3(0);
 }
 

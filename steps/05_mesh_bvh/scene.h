@@ -32,11 +32,12 @@ inline int add_material(Scene& scene, const ObjMaterial& material) {
     return add(scene.materials, Coated{material.reflectivity, base});
 }
 
-/// Puts a model into the scene, with its materials. `crease` as in smooth_normals().
-inline void add_model(Scene& scene, const ObjFile& file, float crease) {
-    std::vector<int> numbers;
-    for (const ObjMaterial& material : file.material_list) numbers.push_back(add_material(scene, material));
-    append(scene.mesh, file, numbers, crease);
+/// Puts a model into the scene, with its materials. `crease_angle` as in smooth_normals().
+inline void add_model(Scene& scene, const ObjFile& file, float crease_angle) {
+    std::vector<int> material_ids;
+    for (const ObjMaterial& material : file.material_list)
+        material_ids.push_back(add_material(scene, material));
+    append_model(scene.mesh, file, material_ids, crease_angle);
 }
 
 } // namespace rt

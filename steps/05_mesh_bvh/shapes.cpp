@@ -36,17 +36,17 @@ void build_wide_trees(Shapes& shapes) {
 }
 
 void build_binary_trees(Shapes& shapes) {
-    std::vector<Box> boxes;
+    std::vector<Aabb> boxes;
     for (const Sphere& sphere : shapes.spheres) boxes.push_back(bounds(sphere));
-    shapes.sphere_tree = build_bvh(boxes);
+    shapes.sphere_bvh = build_bvh(boxes);
     boxes.clear();
     for (std::uint32_t i = 0; i < shapes.mesh.triangles.size(); ++i) boxes.push_back(bounds(shapes.mesh, i));
-    shapes.triangle_tree = build_bvh(boxes);
+    shapes.triangle_bvh = build_bvh(boxes);
 }
 
 } // namespace
 
-void prepare(Shapes& shapes) {
+void build_bvhs(Shapes& shapes) {
     if (shapes.accel == Accel::bvh) build_binary_trees(shapes);
     if (shapes.accel == Accel::wide) build_wide_trees(shapes);
 }

@@ -22,7 +22,7 @@ namespace rt {
 /// boxes in its nodes and rows of shapes in its leaves.
 enum class Accel { brute, bvh, wide };
 
-inline Choice<Accel> accel_knob(Options& options, Accel initial) {
+inline Choice<Accel> accel_option(Options& options, Accel initial) {
     return options.choice(
         "accel", {"brute", "bvh", "wide"}, initial,
         "how a ray finds what it meets: ask every shape, descend a tree, or a tree that tests "
@@ -36,49 +36,50 @@ struct Shapes {
     Mesh mesh;
     Accel accel = Accel::wide;
     bool count_tests = false; ///< of the wide trees too: it costs 2 to 3 % of the time
-    Bvh sphere_tree;          ///< made by prepare(), if `accel` asks for it, as are
-    Bvh triangle_tree;
+    Bvh sphere_bvh;           ///< made by build_bvhs(), if `accel` asks for it, as are
+    Bvh triangle_bvh;
     accel::SphereBvh wide_spheres;
     accel::TriangleBvh wide_triangles; ///< those of the mesh, and then the two halves of each quad
 };
 
 /// Builds the trees that `accel` asks for. Call it once, when all shapes are in place. It stands in shapes.cpp, which
 /// is compiled once for all programs.
-void prepare(Shapes& shapes);
+void build_bvhs(Shapes& shapes);
 
 /// Calls test(i) for all shapes that the ray may meet, until one returns true.
 template <typename Test>
-void search(Accel accel, const Bvh& tree, std::size_t count, const Ray& ray, Test&& test) {
+void for_each_candidate(Accel accel, const Bvh& tree, std::size_t count, const Ray& ray, Test&& test) {
     if (accel == Accel::bvh) return traverse(tree, ray, test);
     for (std::uint32_t i = 0; i < count; ++i)
         if (test(i)) return;
 }
 
 /// What a search keeps of the nearest shape; the end of the ray says where.
-using Met = std::variant<std::monostate, const Sphere*, const Plane*, const Quad*, MeshHit>;
+using ClosestShape = std::variant<std::monostate, const Sphere*, const Plane*, const Quad*, MeshHit>;
 
 /// Asks spheres, quads and triangles, one by one or by their binary trees. A hit shortens the ray.
-inline void search_shapes(const Shapes& shapes, Ray& ray, Met& met) {
+inline void closest_hit_binary(const Shapes& shapes, Ray& ray, ClosestShape& closest) {
     const auto test = [&](const auto& shape) {
         if (const auto t = intersect(shape, ray)) {
             ray.t_max = *t;
-            met = &shape;
+            closest = &shape;
         }
         return false;
     };
     for (const Quad& quad : shapes.quads) test(quad);
-    search(shapes.accel, shapes.sphere_tree, shapes.spheres.size(), ray,
-           [&](std::uint32_t i) { return test(shapes.spheres[i]); });
-    search(shapes.accel, shapes.triangle_tree, shapes.mesh.triangles.size(), ray, [&](std::uint32_t i) {
+    for_each_candidate(shapes.accel, shapes.sphere_bvh, shapes.spheres.size(), ray,
+                       [&](std::uint32_t i) { return test(shapes.spheres[i]); });
+    const auto test_triangle = [&](std::uint32_t i) {
         //> a triangle that is hit shortens the ray too
-        const auto [a, b, c] = corners(shapes.mesh, i);
+        const auto [a, b, c] = vertices(shapes.mesh, i);
         if (const auto hit = intersect(a, b, c, ray)) {
             ray.t_max = hit->t;
-            met = MeshHit{&shapes.mesh, i, hit->u, hit->v};
+            closest = MeshHit{&shapes.mesh, i, hit->u, hit->v};
         }
         //<
         return false;
-    });
+    };
+    for_each_candidate(shapes.accel, shapes.triangle_bvh, shapes.mesh.triangles.size(), ray, test_triangle);
 }
 
 /// The quad of which a triangle of the wide tree is one half; null for a triangle of the mesh.
@@ -96,10 +97,10 @@ struct TallyCounters {
 /// The same by the wide trees. They know which shapes the ray may meet; where it meets them is worked out in
 /// double, as above. So all ways give the same picture.
 template <typename Counters>
-inline void search_wide(const Shapes& shapes, Ray& ray, Met& met) {
-    const auto shorten = [&](float t, auto found) {
+inline void closest_hit_wide(const Shapes& shapes, Ray& ray, ClosestShape& closest) {
+    const auto shorten = [&](float t, auto shape) {
         ray.t_max = t;
-        met = found;
+        closest = shape;
     };
     accel::closest_hit<Counters>(shapes.wide_spheres, ray, [&](const auto& block, std::size_t lane) {
         const Sphere& sphere = shapes.spheres[block.primitive[lane]];
@@ -119,23 +120,23 @@ inline void search_wide(const Shapes& shapes, Ray& ray, Met& met) {
 /// is worked out in full.
 inline std::optional<Hit> intersect(const Shapes& shapes, Ray ray) {
     ++tally.rays;
-    Met met;
+    ClosestShape closest;
     for (const Plane& plane : shapes.planes) {
         if (const auto t = intersect(plane, ray)) {
             ray.t_max = *t;
-            met = &plane;
+            closest = &plane;
         }
     }
     if (shapes.accel != Accel::wide)
-        search_shapes(shapes, ray, met);
+        closest_hit_binary(shapes, ray, closest);
     else if (shapes.count_tests)
-        search_wide<TallyCounters>(shapes, ray, met);
+        closest_hit_wide<TallyCounters>(shapes, ray, closest);
     else
-        search_wide<accel::NoCounters>(shapes, ray, met);
+        closest_hit_wide<accel::NoCounters>(shapes, ray, closest);
     return match(
-        met, [](std::monostate) { return std::optional<Hit>(); },
+        closest, [](std::monostate) { return std::optional<Hit>(); },
         [&](const auto* shape) { return std::optional(surface_hit(*shape, ray)); },
-        [&](const MeshHit& found) { return std::optional(surface_hit(found, ray)); });
+        [&](const MeshHit& mesh_hit) { return std::optional(surface_hit(mesh_hit, ray)); });
 }
 
 /// The wide trees' part of occluded().
@@ -156,21 +157,22 @@ inline bool occluded_wide(const Shapes& shapes, const Ray& ray) {
 /// Whether anything at all stands in the ray's interval: the first shape that does ends the search.
 inline bool occluded(const Shapes& shapes, const Ray& ray) {
     ++tally.rays;
-    bool found = false;
-    const auto test = [&](const auto& shape) { return found = intersect(shape, ray).has_value(); };
+    bool hit = false;
+    const auto test = [&](const auto& shape) { return hit = intersect(shape, ray).has_value(); };
     if (std::ranges::any_of(shapes.planes, test)) return true;
     if (shapes.accel == Accel::wide)
         return shapes.count_tests ? occluded_wide<TallyCounters>(shapes, ray)
                                   : occluded_wide<accel::NoCounters>(shapes, ray);
     if (std::ranges::any_of(shapes.quads, test)) return true;
-    search(shapes.accel, shapes.sphere_tree, shapes.spheres.size(), ray,
-           [&](std::uint32_t i) { return test(shapes.spheres[i]); });
-    if (found) return true;
-    search(shapes.accel, shapes.triangle_tree, shapes.mesh.triangles.size(), ray, [&](std::uint32_t i) {
-        const auto [a, b, c] = corners(shapes.mesh, i);
-        return found = intersect(a, b, c, ray).has_value();
-    });
-    return found;
+    for_each_candidate(shapes.accel, shapes.sphere_bvh, shapes.spheres.size(), ray,
+                       [&](std::uint32_t i) { return test(shapes.spheres[i]); });
+    if (hit) return true;
+    const auto test_triangle = [&](std::uint32_t i) {
+        const auto [a, b, c] = vertices(shapes.mesh, i);
+        return hit = intersect(a, b, c, ray).has_value();
+    };
+    for_each_candidate(shapes.accel, shapes.triangle_bvh, shapes.mesh.triangles.size(), ray, test_triangle);
+    return hit;
 }
 
 } // namespace rt

@@ -15,7 +15,7 @@ struct TriangleHit {
 
 /// How far, in barycentric weight, a triangle reaches over its edge: some roundings of a double. In float
 /// and without it, rays that aim at a shared edge slip through between the neighbours.
-inline constexpr double overlap = 0x1p-40;
+inline constexpr double edge_tolerance = 0x1p-40;
 
 /// Moller and Trumbore 1997: Cramer's rule on  t (-D) + u (B - A) + v (C - A) = O - A.  The determinant is
 /// proportional to the area, so it is never compared with an absolute epsilon: that would lose small
@@ -24,18 +24,18 @@ inline constexpr double overlap = 0x1p-40;
 inline std::optional<TriangleHit> intersect(vec3 a, vec3 b, vec3 c, const Ray& ray) {
     ++tally.triangle_tests;
     //> u, v and t from four cross and dot products, and out as soon as one of them is
-    const glm::dvec3 first(a), direction(ray.direction);
-    const glm::dvec3 edge_b = glm::dvec3(b) - first;
-    const glm::dvec3 edge_c = glm::dvec3(c) - first;
-    const glm::dvec3 p = cross(direction, edge_c);
-    const double inverse = 1 / dot(edge_b, p);
-    const glm::dvec3 from_a = glm::dvec3(ray.origin) - first;
-    const double u = dot(from_a, p) * inverse;
-    if (!(u >= -overlap && u <= 1 + overlap)) return std::nullopt;
-    const glm::dvec3 q = cross(from_a, edge_b);
-    const double v = dot(direction, q) * inverse;
-    if (!(v >= -overlap && u + v <= 1 + overlap)) return std::nullopt;
-    const float t = float(dot(edge_c, q) * inverse);
+    const glm::dvec3 vertex_a(a), direction(ray.direction);
+    const glm::dvec3 edge_b = glm::dvec3(b) - vertex_a;
+    const glm::dvec3 edge_c = glm::dvec3(c) - vertex_a;
+    const glm::dvec3 p_vec = cross(direction, edge_c);
+    const double inverse_determinant = 1 / dot(edge_b, p_vec);
+    const glm::dvec3 t_vec = glm::dvec3(ray.origin) - vertex_a;
+    const double u = dot(t_vec, p_vec) * inverse_determinant;
+    if (!(u >= -edge_tolerance && u <= 1 + edge_tolerance)) return std::nullopt;
+    const glm::dvec3 q_vec = cross(t_vec, edge_b);
+    const double v = dot(direction, q_vec) * inverse_determinant;
+    if (!(v >= -edge_tolerance && u + v <= 1 + edge_tolerance)) return std::nullopt;
+    const float t = float(dot(edge_c, q_vec) * inverse_determinant);
     if (!contains(ray, t)) return std::nullopt;
     return TriangleHit{t, float(u), float(v)};
     //< return std::nullopt;

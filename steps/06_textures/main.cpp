@@ -1,6 +1,6 @@
 // Step 06 asks: how does a picture get onto a surface?
 #include "01_spheres/view.h"
-#include "05_mesh_bvh/stage.h"
+#include "05_mesh_bvh/framing.h"
 #include "04_refraction/radiance.h"
 #include "06_textures/scene.h"
 #include "common/util/paths.h"
@@ -15,18 +15,19 @@ LookAt meadow(Scene& scene, int tiles) {
     const int lawn = add(scene.materials, Checkerboard{{0.36f, 0.56f, 0.2f}, {0.28f, 0.47f, 0.16f}, 0.5f});
     scene.planes = {{{0, 0, 0}, {0, 1, 0}, lawn}};
 
-    const int globe =
-        add(scene.materials, Textured{add(scene.textures, make_texture(read_bitmap(asset("globe.png"))))});
+    const int globe = add(scene.materials,
+                          ImageTexture{add(scene.textures, make_texture(read_bitmap(asset("globe.png"))))});
     scene.spheres = {{{1.75f, 0.36f, 0.85f}, 0.36f, globe}};
     const int card_picture = add(scene.textures, make_texture(read_bitmap(asset("test_card.png"))));
-    const int card = add(scene.materials, Textured{.texture = card_picture, .repeat = vec2(float(tiles))});
+    const int card =
+        add(scene.materials, ImageTexture{.texture = card_picture, .uv_scale = vec2(float(tiles))});
     scene.quads = {{{0.75f, 0.25f, -1.0f}, {1.75f, 0, 0.35f}, {0.04f, 1.1f, -0.2f}, card}};
 
     ObjFile cow = read_obj(asset("cow.obj"));
-    place(cow, 1.35f, -35, {-0.85f, 0, -0.3f});
+    transform(cow, 1.35f, -35, {-0.85f, 0, -0.3f});
     add_model(scene, cow, 40);
     ObjFile cat = read_obj(asset("cat.obj"));
-    place(cat, 0.62f, -60, {0.55f, 0, 0.85f});
+    transform(cat, 0.62f, -60, {0.55f, 0, 0.85f});
     add_model(scene, cat, 40);
     return {.from = {0.25f, 1.35f, 5.0f}, .at = {0.25f, 0.6f, 0}, .fov = 33};
 }
@@ -34,9 +35,9 @@ LookAt meadow(Scene& scene, int tiles) {
 int main(int argc, char** argv) {
     Options options("06_textures", "How does a picture get onto a surface?",
                     {.width = 640, .height = 400, .samples = 16});
-    const ModelKnobs model(options);
+    const ModelOptions model(options);
     const int& tiles = options.knob("tiles", 1, 1, 50, "how often the test card repeats, each way");
-    const auto accel = accel_knob(options, Accel::wide);
+    const auto accel = accel_option(options, Accel::wide);
     const int& depth = options.knob("depth", 6, 0, 24, "mirrors and boundaries that a ray may meet");
     const auto view = view_option(options);
     const CameraOptions camera_options(options,
@@ -47,10 +48,10 @@ int main(int argc, char** argv) {
         Scene scene;
         scene.accel = accel;
         scene.count_tests = view == DebugView::traversal_cost;
-        const bool own = !model.mesh.empty();
+        const bool has_model = !model.mesh.empty();
         const LookAt look_at = camera_options.look_at_or(
-            own ? stage_model(scene, model, float(width) / float(height)) : meadow(scene, tiles));
-        prepare(scene);
+            has_model ? add_framed_model(scene, model, float(width) / float(height)) : meadow(scene, tiles));
+        build_bvhs(scene);
         const Camera camera = make_camera(look_at, width, height);
         render([&](Sample& sample) {
             const Ray ray = camera_ray(camera, vec2(sample.x, sample.y) + r2_offset(sample.index));

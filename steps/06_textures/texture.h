@@ -51,31 +51,31 @@ inline vec3 texel(const Texture& texture, int x, int y) {
 /// from its corner.
 inline vec3 bilinear(const Texture& texture, vec2 uv) {
     //> from uv to texels, half a texel back, and the four weights from what floor leaves over
-    const vec2 place = fract(uv) * vec2(texture.width, texture.height) - 0.5f;
-    const vec2 corner = floor(place);
-    const vec2 weight = place - corner;
-    const int x = int(corner.x), y = int(corner.y);
+    const vec2 texel_position = fract(uv) * vec2(texture.width, texture.height) - 0.5f;
+    const vec2 lower_left = floor(texel_position);
+    const vec2 weight = texel_position - lower_left;
+    const int x = int(lower_left.x), y = int(lower_left.y);
     const vec3 lower = mix(texel(texture, x, y), texel(texture, x + 1, y), weight.x);
     const vec3 upper = mix(texel(texture, x, y + 1), texel(texture, x + 1, y + 1), weight.x);
     return mix(lower, upper, weight.y);
     //< return texel(texture, 0, 0);
 }
 
-/// A matte surface whose albedo is a picture, `repeat` times in u and in v.
-struct Textured {
+/// A matte surface whose albedo is a picture, repeated `uv_scale` times in u and in v.
+struct ImageTexture {
     int texture;      ///< index into the scene's textures
     vec3 tint{1};     ///< multiplies the picture
     vec3 emission{0}; ///< as in Diffuse
-    vec2 repeat{1};
+    vec2 uv_scale{1};
 };
 
-inline Diffuse at(const Textured& surface, const std::vector<Texture>& textures, vec2 uv) {
-    return {surface.tint * bilinear(textures[std::size_t(surface.texture)], surface.repeat * uv),
+inline Diffuse evaluate(const ImageTexture& surface, const std::vector<Texture>& textures, vec2 uv) {
+    return {surface.tint * bilinear(textures[std::size_t(surface.texture)], surface.uv_scale * uv),
             surface.emission};
 }
 template <typename S>
-Diffuse matte_at(const Textured& surface, const S& scene, const Hit& hit) {
-    return at(surface, scene.textures, hit.uv);
+Diffuse matte_at(const ImageTexture& surface, const S& scene, const Hit& hit) {
+    return evaluate(surface, scene.textures, hit.uv);
 }
 
 } // namespace rt

@@ -14,7 +14,7 @@ enum class Filter { box, tent, gaussian };
 
 /// A coordinate in [-1, 1) with density 1 - |x|, from a uniform u in [0, 1): the inverse of its cumulative
 /// distribution.
-inline float tent(float u) {
+inline float sample_tent(float u) {
     //> the left half rises as a square, the right half mirrors it
     return u < 0.5f ? std::sqrt(2 * u) - 1 : 1 - std::sqrt(2 - 2 * u);
     //< return u - 0.5f;
@@ -33,17 +33,17 @@ inline vec2 box_muller(vec2 u) {
 /// Where a sample lies from the middle of its pixel, in pixels. `width` scales the filter: at 1 the box
 /// covers the pixel, the tent reaches to the middles of its neighbours, and the Gaussian has a standard
 /// deviation of half a pixel.
-inline vec2 filter_offset(Filter filter, vec2 u, float width) {
+inline vec2 sample_filter(Filter filter, vec2 u, float width) {
     switch (filter) {
-    case Filter::tent: return width * vec2(tent(u.x), tent(u.y));
+    case Filter::tent: return width * vec2(sample_tent(u.x), sample_tent(u.y));
     case Filter::gaussian: return width * 0.5f * box_muller(u);
     default: return width * (u - 0.5f);
     }
 }
 
 /// The point of the picture through which a sample looks, in pixels from the top left corner.
-inline vec2 picture_point(const Sample& sample, Sampler& sampler, Filter filter, float width) {
-    return vec2(sample.x, sample.y) + 0.5f + filter_offset(filter, sampler.uniform2(), width);
+inline vec2 film_point(const Sample& sample, Sampler& sampler, Filter filter, float width) {
+    return vec2(sample.x, sample.y) + 0.5f + sample_filter(filter, sampler.uniform2(), width);
 }
 
 } // namespace rt

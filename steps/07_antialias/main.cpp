@@ -1,10 +1,10 @@
 // Step 07 asks: what is a pixel?
 #include "01_spheres/view.h"
-#include "05_mesh_bvh/stage.h"
+#include "05_mesh_bvh/framing.h"
 #include "04_refraction/radiance.h"
 #include "06_textures/scene.h"
 #include "07_antialias/filter.h"
-#include "07_antialias/lens.h"
+#include "07_antialias/thin_lens.h"
 #include "common/util/paths.h"
 #include "common/cli/program.h"
 
@@ -31,7 +31,7 @@ LookAt test_chart(Scene& scene) {
     const int floor = add(scene.materials, Checkerboard{{0.75f, 0.72f, 0.66f}, {0.1f, 0.12f, 0.16f}, 0.5f});
     scene.planes = {{{0, 0, 0}, {0, 1, 0}, floor}};
 
-    const int rings = add(scene.materials, Textured{add(scene.textures, make_texture(zone_plate(1024)))});
+    const int rings = add(scene.materials, ImageTexture{add(scene.textures, make_texture(zone_plate(1024)))});
     const int white = add(scene.materials, Diffuse{vec3(0.85f)});
     const int black = add(scene.materials, Diffuse{vec3(0.03f)});
     const int wire = add(scene.materials, emissive(vec3(3.0f, 2.6f, 1.6f)));
@@ -42,21 +42,21 @@ LookAt test_chart(Scene& scene) {
                    {{-2.3f, 0.5f, 0.9f}, {4.6f, 1.2f, 0.1f}, {0, 0.0035f, 0}, wire}};
 
     ObjFile cat = read_obj(asset("cat.obj"));
-    place(cat, 0.7f, -70, {1.45f, 0, 0.75f});
+    transform(cat, 0.7f, -70, {1.45f, 0, 0.75f});
     add_model(scene, cat, 40);
     return {.from = {0, 1.25f, 5.2f}, .at = {0, 0.95f, 0}, .fov = 32};
 }
 
 int main(int argc, char** argv) {
     Options options("07_antialias", "What is a pixel?", {.width = 640, .height = 400, .samples = 64});
-    const ModelKnobs model(options);
-    const auto sampler_kind = sampler_knob(options);
+    const ModelOptions model(options);
+    const auto sampler_kind = sampler_option(options);
     const auto filter = options.choice("filter", {"box", "tent", "gaussian"}, Filter::gaussian,
                                        "how a pixel weighs the light around its middle");
     const float& filter_width = options.knob(
         "filter-width", 1.0f, 0.0f, 10.0f, "scales the filter: box 1 pixel wide, tent 2, Gaussian sigma 1/2");
-    const LensKnobs lens_knobs(options);
-    const auto accel = accel_knob(options, Accel::wide);
+    const LensOptions lens_options(options);
+    const auto accel = accel_option(options, Accel::wide);
     const int& depth = options.knob("depth", 6, 0, 24, "mirrors and boundaries that a ray may meet");
     const auto view = view_option(options);
     const CameraOptions camera_options(options, {.from = {0, 1.25f, 5.2f}, .at = {0, 0.95f, 0}, .fov = 32});
@@ -66,16 +66,16 @@ int main(int argc, char** argv) {
         Scene scene;
         scene.accel = accel;
         scene.count_tests = view == DebugView::traversal_cost;
-        const bool own = !model.mesh.empty();
+        const bool has_model = !model.mesh.empty();
         const LookAt look_at = camera_options.look_at_or(
-            own ? stage_model(scene, model, float(width) / float(height)) : test_chart(scene));
-        prepare(scene);
+            has_model ? add_framed_model(scene, model, float(width) / float(height)) : test_chart(scene));
+        build_bvhs(scene);
         const Camera camera = make_camera(look_at, width, height);
-        const Lens lens = lens_knobs.lens(look_at);
+        const ThinLens lens = lens_options.lens(look_at);
         render([&](const Sample& sample) {
             Sampler sampler(sampler_kind, sample);
-            const vec2 point = picture_point(sample, sampler, filter, filter_width);
-            const Ray ray = picture_ray(camera, lens, point, sampler);
+            const vec2 point = film_point(sample, sampler, filter, filter_width);
+            const Ray ray = sample_camera_ray(camera, lens, point, sampler);
             if (view == DebugView::radiance) return radiance(scene, ray, depth);
             return debug_colour(scene, ray, view, distance(look_at.from, look_at.at));
         });

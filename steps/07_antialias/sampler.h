@@ -2,7 +2,7 @@
 // one likes.
 #pragma once
 
-#include "07_antialias/sample.h"
+#include "07_antialias/stratified.h"
 #include "07_antialias/sobol.h"
 #include "common/cli/options.h"
 #include "common/math/random.h"
@@ -20,7 +20,7 @@ class Sampler {
   public:
     Sampler(SamplerKind chosen, const Sample& sample)
         : kind(chosen), index(sample.index), count(sample.count), random(sample.random),
-          pixel(sample.x, sample.y, 0, ~sample.seed) {}
+          dimension_key(sample.x, sample.y, 0, ~sample.seed) {}
 
     /// Plain random numbers.
     explicit Sampler(const Random& numbers) : random(numbers) {}
@@ -28,26 +28,26 @@ class Sampler {
     /// A number in [0, 1). On a line, cells are as even as any points can be: Sobol has nothing to add.
     float uniform() {
         if (kind == SamplerKind::random) return random.uniform();
-        return stratified_number(permuted(index, count, pixel.bits()), count, random);
+        return stratified_1d(permutation_element(index, count, dimension_key.bits()), count, random);
     }
 
     /// A point in the unit square [0, 1)^2.
     vec2 uniform2() {
         if (kind == SamplerKind::random) return random.uniform2();
-        const int place = permuted(index, count, pixel.bits());
-        if (kind == SamplerKind::stratified) return stratified_point(place, count, random);
-        return scrambled_sobol_point(std::uint32_t(place), pixel.bits());
+        const int shuffled_index = permutation_element(index, count, dimension_key.bits());
+        if (kind == SamplerKind::stratified) return stratified_2d(shuffled_index, count, random);
+        return owen_sobol_2d(std::uint32_t(shuffled_index), dimension_key.bits());
     }
 
   private:
     SamplerKind kind = SamplerKind::random;
     int index = 0, count = 1;
-    Random random;   ///< of this sample alone
-    Random pixel{0}; ///< a key for one dimension after another, the same for all samples of the pixel
+    Random random;           ///< of this sample alone
+    Random dimension_key{0}; ///< a key for one dimension after another, the same for all samples of the pixel
 };
 
 /// Declares --sampler.
-inline Choice<SamplerKind> sampler_knob(Options& options) {
+inline Choice<SamplerKind> sampler_option(Options& options) {
     return options.choice("sampler", {"random", "stratified", "sobol"}, SamplerKind::sobol,
                           "how the samples of a pixel are spread: anywhere, one a cell, or as Sobol points, "
                           "which are even in cells of every shape");

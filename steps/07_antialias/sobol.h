@@ -5,7 +5,7 @@
 
 namespace rt {
 
-constexpr std::uint32_t reversed_bits(std::uint32_t bits) {
+constexpr std::uint32_t reverse_bits(std::uint32_t bits) {
     bits = (bits << 16) | (bits >> 16);
     bits = (bits & 0x00ff00ffu) << 8 | (bits & 0xff00ff00u) >> 8;
     bits = (bits & 0x0f0f0f0fu) << 4 | (bits & 0xf0f0f0f0u) >> 4;
@@ -17,7 +17,7 @@ constexpr std::uint32_t reversed_bits(std::uint32_t bits) {
 /// counts 1/4. (The first coordinate, reversed, is `index` itself: van der Corput 1935.) Digit r is the sum
 /// mod 2 of C(j, r) times bit j of the index, and C(j, r) is odd where r has no bit that j lacks (Lucas
 /// 1878), so five halvings make the whole sum.
-constexpr std::uint32_t sobol_second(std::uint32_t index) {
+constexpr std::uint32_t sobol_dimension_1(std::uint32_t index) {
     //> fold each half of the bits onto the other, for halves of 16, 8, 4, 2 and 1
     index ^= index >> 16;
     index ^= (index & 0xff00ff00u) >> 8;
@@ -30,7 +30,7 @@ constexpr std::uint32_t sobol_second(std::uint32_t index) {
 /// Owen's nested scrambling (1995) of digits that are reversed: every bit is flipped or not as the bits below
 /// it and the key say, so that boxes go to boxes. By sums and products, whose carries only go up: Laine and
 /// Karras 2011; for Sobol points Burley 2020 (JCGT 9(4)); these constants Vegdahl 2021.
-constexpr std::uint32_t owen_scrambled(std::uint32_t reversed, std::uint32_t key) {
+constexpr std::uint32_t owen_scramble(std::uint32_t reversed, std::uint32_t key) {
     reversed ^= reversed * 0x3d20adeau;
     reversed += key;
     reversed *= (key >> 16) | 1;
@@ -39,14 +39,14 @@ constexpr std::uint32_t owen_scrambled(std::uint32_t reversed, std::uint32_t key
 }
 
 /// The number in [0, 1) with these binary digits: 24 of them, all that a float holds, so that it is never 1.
-constexpr float fraction(std::uint32_t reversed) {
-    return float(reversed_bits(reversed) >> 8) * 0x1p-24f;
+constexpr float to_unit_float(std::uint32_t reversed) {
+    return float(reverse_bits(reversed) >> 8) * 0x1p-24f;
 }
 
 /// Sobol point `index` in [0, 1)^2, both coordinates scrambled as the key says.
-inline vec2 scrambled_sobol_point(std::uint32_t index, std::uint64_t key) {
-    return {fraction(owen_scrambled(index, std::uint32_t(key))),
-            fraction(owen_scrambled(sobol_second(index), std::uint32_t(key >> 32)))};
+inline vec2 owen_sobol_2d(std::uint32_t index, std::uint64_t key) {
+    return {to_unit_float(owen_scramble(index, std::uint32_t(key))),
+            to_unit_float(owen_scramble(sobol_dimension_1(index), std::uint32_t(key >> 32)))};
 }
 
 } // namespace rt

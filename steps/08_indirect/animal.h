@@ -32,7 +32,7 @@ inline LookAt animal(Scene& scene) {
                      {{1.2f, 1.75f, -1.3f}, 0.14f, lamp}};
 
     ObjFile cat = read_obj(asset("cat.obj"));
-    place(cat, 1.1f, -55, {0.1f, 0, -0.4f});
+    transform(cat, 1.1f, -55, {0.1f, 0, -0.4f});
     add_model(scene, cat, 40);
     return {.from = {-0.25f, 0.95f, 2.85f}, .at = {0.05f, 0.62f, -0.4f}, .fov = 40};
 }

@@ -1,8 +1,8 @@
 // Step 08 asks: where does all the light come from?
 #include "01_spheres/view.h"
-#include "05_mesh_bvh/stage.h"
+#include "05_mesh_bvh/framing.h"
 #include "07_antialias/filter.h"
-#include "07_antialias/lens.h"
+#include "07_antialias/thin_lens.h"
 #include "08_indirect/animal.h"
 #include "08_indirect/cornell.h"
 #include "08_indirect/radiance.h"
@@ -13,7 +13,7 @@
 
 using namespace rt;
 
-enum class Show { room, furnace, cornell, weekend, animal };
+enum class SceneName { room, furnace, cornell, weekend, animal };
 
 /// A white ball in an evenly white world. Whatever it receives it gives back, so it must not be seen at all.
 LookAt furnace(Scene& scene) {
@@ -24,12 +24,12 @@ LookAt furnace(Scene& scene) {
 }
 
 /// Builds one of the scenes that this step brings along.
-LookAt build(Scene& scene, Show show) {
+LookAt build_scene(Scene& scene, SceneName show) {
     switch (show) {
-    case Show::furnace: return furnace(scene);
-    case Show::cornell: return cornell(scene);
-    case Show::weekend: return weekend(scene);
-    case Show::animal: return animal(scene);
+    case SceneName::furnace: return furnace(scene);
+    case SceneName::cornell: return cornell(scene);
+    case SceneName::weekend: return weekend(scene);
+    case SceneName::animal: return animal(scene);
     default: return room(scene);
     }
 }
@@ -37,29 +37,30 @@ LookAt build(Scene& scene, Show show) {
 int main(int argc, char** argv) {
     Options options("08_indirect", "Where does all the light come from?",
                     {.width = 480, .height = 480, .samples = 64});
-    const ModelKnobs model(options);
+    const ModelOptions model(options);
     const std::string& spheres =
         options.file("spheres", "a list of balls to show in the place and light of --scene weekend");
     const auto show = options.choice(
-        "scene", {"room", "furnace", "cornell", "weekend", "animal"}, Show::room,
+        "scene", {"room", "furnace", "cornell", "weekend", "animal"}, SceneName::room,
         "what to show: the reference's room; a white ball in a white world, which must not be seen; "
         "a Cornell box; the balls of a well-known book; a cat at home");
-    const auto accel = accel_knob(options, Accel::wide);
-    const auto sampler_kind = sampler_knob(options);
+    const auto accel = accel_option(options, Accel::wide);
+    const auto sampler_kind = sampler_option(options);
     const auto filter = options.choice("filter", {"box", "tent", "gaussian"}, Filter::gaussian,
                                        "how a pixel weighs the light around its middle");
     const float& filter_width = options.knob(
         "filter-width", 1.0f, 0.0f, 10.0f, "scales the filter: box 1 pixel wide, tent 2, Gaussian sigma 1/2");
-    const LensKnobs lens_knobs(options);
+    const LensOptions lens_options(options);
     const int& depth = options.knob("depth", 5, 0, 1000, "bounces of a path; the light beyond is left out");
     const bool& no_indirect =
         options.flag("no-indirect", "matte surfaces see lamps and sky, but not each other");
     const auto direct =
-        options.choice("direct", {"mis", "lights", "bounces"}, Direct::mis,
+        options.choice("direct", {"mis", "lights", "bounces"}, DirectLighting::mis,
                        "how a path looks for lamps: by asking them, by running into them, or by "
                        "both, each where it is good (mis): same picture, different noise");
-    const auto spread = options.choice("bounce", {"cosine", "uniform"}, Spread::cosine,
-                                       "how bounces are spread: same picture, different noise");
+    const auto hemisphere_sampling =
+        options.choice("bounce", {"cosine", "uniform"}, HemisphereSampling::cosine,
+                       "how bounces are spread: same picture, different noise");
     const bool& no_roulette =
         options.flag("no-roulette", "every path runs its full length: same picture, slower");
     const auto view = view_option(options);
@@ -71,20 +72,21 @@ int main(int argc, char** argv) {
         scene.accel = accel;
         scene.count_tests = view == DebugView::traversal_cost;
         const LookAt look_at = camera_options.look_at_or(
-            !model.mesh.empty() ? stage_model(scene, model, float(width) / float(height))
+            !model.mesh.empty() ? add_framed_model(scene, model, float(width) / float(height))
             : !spheres.empty()  ? weekend(scene, read_sphere_list(spheres))
-                                : build(scene, show));
-        prepare(scene);
-        const AreaLights lights = area_lights(scene);
-        const Transport transport{depth, !no_indirect, direct, !no_roulette, spread};
+                                : build_scene(scene, show));
+        build_bvhs(scene);
+        const AreaLights lights = collect_area_lights(scene);
+        const PathSettings settings{depth, !no_indirect, direct, !no_roulette, hemisphere_sampling};
         const Camera camera = make_camera(look_at, width, height);
-        const bool balls = model.mesh.empty() && (!spheres.empty() || show == Show::weekend);
-        const Lens lens = lens_knobs.lens(look_at, balls ? weekend_lens : Lens{.focus = 0});
+        const bool is_weekend = model.mesh.empty() && (!spheres.empty() || show == SceneName::weekend);
+        const ThinLens lens =
+            lens_options.lens(look_at, is_weekend ? weekend_lens : ThinLens{.focus_distance = 0});
         render([&](const Sample& sample) {
             Sampler sampler(sampler_kind, sample);
-            const vec2 point = picture_point(sample, sampler, filter, filter_width);
-            const Ray ray = picture_ray(camera, lens, point, sampler);
-            if (view == DebugView::radiance) return radiance(scene, lights, transport, ray, sampler);
+            const vec2 point = film_point(sample, sampler, filter, filter_width);
+            const Ray ray = sample_camera_ray(camera, lens, point, sampler);
+            if (view == DebugView::radiance) return radiance(scene, lights, settings, ray, sampler);
             return debug_colour(scene, ray, view, distance(look_at.from, look_at.at));
         });
     });

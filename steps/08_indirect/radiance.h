@@ -5,30 +5,32 @@
 #include "02_shadows/point_light.h"
 #include "04_refraction/dielectric.h"
 #include "06_textures/texture.h"
-#include "08_indirect/area_light.h"
-#include "08_indirect/bounce.h"
+#include "08_indirect/area_lights.h"
+#include "08_indirect/hemisphere.h"
 #include "08_indirect/metal.h"
+#include "08_indirect/roulette.h"
 #include "common/util/match.h"
 
+#include <optional>
 #include <variant>
 
 namespace rt {
 
 /// How paths look for area lights: by asking them at every matte surface, by running into them, or by both
 /// with multiple importance sampling.
-enum class Direct { mis, lights, bounces };
+enum class DirectLighting { mis, light_sampling, bsdf_sampling };
 
 /// Which light counts, and how it is looked for. The last three change the noise, never the mean.
-struct Transport {
+struct PathSettings {
     int depth = 5;        ///< bounces of a path at most; the light beyond is left out
     bool indirect = true; ///< false: matte surfaces see lights and sky, but not each other
-    Direct direct = Direct::mis;
-    bool roulette = true;           ///< false: every path runs its full length
-    Spread spread = Spread::cosine; ///< of bounces
+    DirectLighting direct = DirectLighting::mis;
+    bool roulette = true; ///< false: every path runs its full length
+    HemisphereSampling hemisphere_sampling = HemisphereSampling::cosine; ///< of bounces
 };
 
 /// Light that goes on as a single ray.
-struct Specular {
+struct ScatteredRay {
     Ray ray;
     vec3 weight;
     vec3 absorption; ///< of the medium it goes on in
@@ -37,54 +39,55 @@ struct Specular {
 /// What the surface does with a path: it is matte, or it sends the path on. Where light has two ways, chance
 /// picks one in proportion to its share, so that the weight is the same for both.
 template <Occludable S, UniformSource Source>
-std::variant<Diffuse, Specular> meet(const S& scene, const Ray& ray, const Hit& hit, vec3 absorption,
-                                     Source& source) {
-    using Result = std::variant<Diffuse, Specular>;
-    const auto mirrored = [&](vec3 reflectance) {
-        return Specular{reflected_ray(ray, hit), reflectance, absorption};
+std::variant<Diffuse, ScatteredRay> scatter(const S& scene, const Ray& ray, const Hit& hit, vec3 absorption,
+                                            Source& source) {
+    using Result = std::variant<Diffuse, ScatteredRay>;
+    const auto reflected = [&](vec3 reflectance) {
+        return ScatteredRay{reflected_ray(ray, hit), reflectance, absorption};
     };
     int material = hit.material;
     while (const auto* coat = std::get_if<Coated>(&scene.materials[std::size_t(material)])) {
-        if (source.uniform() < coat->reflectivity) return mirrored(coat->reflectance);
+        if (source.uniform() < coat->reflectivity) return reflected(coat->reflectance);
         material = coat->base;
     }
     return match(
         scene.materials[std::size_t(material)],
-        [&](const auto& matte) -> Result { return matte_at(matte, scene, hit); },
-        [&](const Mirror& mirror) -> Result { return mirrored(mirror.reflectance); },
+        [&](const auto& hit_diffuse) -> Result { return matte_at(hit_diffuse, scene, hit); },
+        [&](const Mirror& mirror) -> Result { return reflected(mirror.reflectance); },
         [&](const Metal& metal) -> Result {
-            const auto onward = metal_ray(metal, ray, hit, source.uniform2());
-            if (!onward) return Diffuse{vec3(0)}; // it ends here
-            return Specular{*onward, metal.albedo, absorption};
+            const auto scattered = scatter_metal(metal, ray, hit, source.uniform2());
+            if (!scattered) return Diffuse{vec3(0)}; // it ends here
+            return ScatteredRay{*scattered, metal.reflectance, absorption};
         },
         [&](const Coated&) -> Result { return Diffuse{vec3(0)}; }, // taken off above
         [&](const Dielectric& dielectric) -> Result {
             const Interface interface = make_interface(dielectric, ray, hit);
-            const auto onward = refracted_ray(ray, hit, interface);
-            if (!onward || source.uniform() < interface.reflectance) return mirrored(vec3(1));
-            return Specular{*onward, vec3(1), interface.transmitted_medium.absorption_coefficient};
+            const auto refracted = refracted_ray(ray, hit, interface);
+            if (!refracted || source.uniform() < interface.reflectance) return reflected(vec3(1));
+            return ScatteredRay{*refracted, vec3(1), interface.transmitted_medium.absorption_coefficient};
         });
 }
 
 /// An estimate of the irradiance at the hit from all lights, as far as they are to be asked for it, W/m^2.
 template <Occludable S, UniformSource Source>
-vec3 asked(const S& scene, const AreaLights& lights, const Transport& transport, const Hit& hit,
-           vec3 absorption, Source& source) {
+vec3 sample_direct_light(const S& scene, const AreaLights& lights, const PathSettings& settings,
+                         const Hit& hit, vec3 absorption, Source& source) {
     const vec3 from_points = direct_irradiance(scene, hit);
-    if (transport.direct == Direct::bounces) return from_points;
-    const Spread* rivals = transport.direct == Direct::mis ? &transport.spread : nullptr;
-    return from_points + area_light(scene, lights, hit, source, absorption, rivals);
+    if (settings.direct == DirectLighting::bsdf_sampling) return from_points;
+    std::optional<HemisphereSampling> bsdf_sampling;
+    if (settings.direct == DirectLighting::mis) bsdf_sampling = settings.hemisphere_sampling;
+    return from_points + sample_area_lights(scene, lights, hit, source, absorption, bsdf_sampling);
 }
 
-/// The share of a lamp's light that counts where a path runs into it. `density` is that of the ray's
-/// direction, which has unit length then; infinite if the path had no other way.
+/// The share of a lamp's light that counts where a path runs into it. `pdf` is that of the ray's
+/// direction, which has unit length then; there is none if the path had no other way.
 template <typename S>
-float found(const S& scene, const AreaLights& lights, const Transport& transport, const Ray& ray,
-            const Hit& hit, float density) {
-    if (density == infinity || transport.direct == Direct::bounces) return 1;
-    if (transport.direct == Direct::lights) return 0;
+float emission_weight(const S& scene, const AreaLights& lights, const PathSettings& settings, const Ray& ray,
+                      const Hit& hit, std::optional<float> pdf) {
+    if (!pdf || settings.direct == DirectLighting::bsdf_sampling) return 1;
+    if (settings.direct == DirectLighting::light_sampling) return 0;
     const float cosine = dot(ray.direction, hit.geometric_normal);
-    return share(density, light_pdf(lights, emission(scene, hit.material), hit.t, cosine));
+    return power_heuristic(*pdf, light_pdf(lights, emission(scene, hit.material), hit.t, cosine));
 }
 
 /// An estimate of the radiance that comes back along the ray, W / (m^2 sr), linear RGB. Its mean over many
@@ -92,46 +95,49 @@ float found(const S& scene, const AreaLights& lights, const Transport& transport
 /// lights are found by paths that run through glass or by mirrors into a lamp. Shortcut: a point light casts
 /// none, glass throws its full shadow.
 template <Occludable S, UniformSource Source>
-vec3 radiance(const S& scene, const AreaLights& lights, const Transport& transport, Ray ray, Source& source) {
-    vec3 gathered(0), throughput(1), absorption(0);
-    float density = infinity; // of the ray's direction; infinite from a mirror or the eye: no lamp was asked
-    bool matte = false;       // the path has met a matte surface
+vec3 radiance(const S& scene, const AreaLights& lights, const PathSettings& settings, Ray ray,
+              Source& source) {
+    vec3 path_radiance(0), throughput(1), absorption(0);
+    std::optional<float> pdf; // of the ray's direction; none from a mirror or the eye: no lamp was asked
+    bool hit_diffuse = false; // the path has met a matte surface
     for (int bounce = 0;; ++bounce) {
         const auto hit = intersect(scene, ray);
         if (!hit && absorption != vec3(0))
-            return gathered; // a coloured medium without end lets nothing through
-        if (!hit) return gathered + throughput * radiance(scene.sky, ray.direction);
+            return path_radiance; // a coloured medium without end lets nothing through
+        if (!hit) return path_radiance + throughput * radiance(scene.sky, ray.direction);
         if (absorption != vec3(0)) throughput *= transmittance(absorption, hit->t * length(ray.direction));
-        const bool last = bounce == transport.depth || (matte && !transport.indirect);
-        const auto met = meet(scene, ray, *hit, absorption, source);
-        if (const Specular* specular = std::get_if<Specular>(&met)) {
-            if (last) return gathered;
-            ray = specular->ray;
-            absorption = specular->absorption;
-            throughput *= specular->weight;
-            density = infinity;
+        const bool last = bounce == settings.depth || (hit_diffuse && !settings.indirect);
+        const auto interaction = scatter(scene, ray, *hit, absorption, source);
+        if (const ScatteredRay* scattered = std::get_if<ScatteredRay>(&interaction)) {
+            if (last) return path_radiance;
+            ray = scattered->ray;
+            absorption = scattered->absorption;
+            throughput *= scattered->weight;
+            pdf = std::nullopt;
         } else {
-            const Diffuse& diffuse = std::get<Diffuse>(met);
+            const Diffuse& diffuse = std::get<Diffuse>(interaction);
             if (diffuse.emission != vec3(0))
-                gathered +=
-                    throughput * diffuse.emission * found(scene, lights, transport, ray, *hit, density);
-            if (last || diffuse.albedo == vec3(0)) return gathered;
+                path_radiance +=
+                    throughput * diffuse.emission * emission_weight(scene, lights, settings, ray, *hit, pdf);
+            if (last || diffuse.albedo == vec3(0)) return path_radiance;
             throughput *= diffuse.albedo * hit->tint;
-            gathered += throughput * asked(scene, lights, transport, *hit, absorption, source) / pi;
+            path_radiance +=
+                throughput * sample_direct_light(scene, lights, settings, *hit, absorption, source) / pi;
             //> the cosine over pi times the density, which is 1 where bounces go by the cosine
-            const vec3 direction = bounce_direction(transport.spread, hit->shading_normal, source.uniform2());
+            const vec3 direction =
+                sample_hemisphere(settings.hemisphere_sampling, hit->shading_normal, source.uniform2());
             const float cosine = dot(direction, hit->shading_normal);
-            density = bounce_pdf(transport.spread, cosine);
-            throughput *= cosine / (pi * density);
+            pdf = hemisphere_pdf(settings.hemisphere_sampling, cosine);
+            throughput *= cosine / (pi * *pdf);
             ray = {offset_ray_origin(*hit, hit->geometric_normal), direction};
-            //< return gathered;
-            matte = true;
+            //< return path_radiance;
+            hit_diffuse = true;
         }
-        if (throughput == vec3(0)) return gathered;
-        if (!transport.roulette || bounce < 2) continue;
-        const auto survived = roulette(throughput, source);
-        if (!survived) return gathered;
-        throughput = *survived;
+        if (throughput == vec3(0)) return path_radiance;
+        if (!settings.roulette || bounce < 2) continue;
+        const auto continued = russian_roulette(throughput, source);
+        if (!continued) return path_radiance;
+        throughput = *continued;
     }
 }
 

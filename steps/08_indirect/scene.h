@@ -17,7 +17,7 @@
 
 namespace rt {
 
-using Material = std::variant<Diffuse, Checkerboard, Mirror, Coated, Dielectric, Textured, Metal>;
+using Material = std::variant<Diffuse, Checkerboard, Mirror, Coated, Dielectric, ImageTexture, Metal>;
 
 struct Scene : CutOutShapes {
     Sky sky;
@@ -32,26 +32,26 @@ inline int add_material(Scene& scene, const ObjMaterial& material, int first_tex
     if (material.glass) return add(scene.materials, Dielectric{{material.ior}});
     const int base = material.texture < 0
                          ? add(scene.materials, Diffuse{material.diffuse, material.emission})
-                         : add(scene.materials, Textured{first_texture + material.texture, material.diffuse,
-                                                         material.emission});
+                         : add(scene.materials, ImageTexture{first_texture + material.texture,
+                                                             material.diffuse, material.emission});
     if (material.reflectivity == 0) return base;
     return add(scene.materials, Coated{material.reflectivity, base});
 }
 
 /// Puts a model into the scene, with its materials, textures and masks. A material that glows has no holes.
-/// `crease` as in smooth_normals().
-inline void add_model(Scene& scene, const ObjFile& file, float crease) {
+/// `crease_angle` as in smooth_normals().
+inline void add_model(Scene& scene, const ObjFile& file, float crease_angle) {
     const int first_texture = int(scene.textures.size());
     for (const Bitmap& bitmap : file.textures) add(scene.textures, make_texture(bitmap));
     const int first_mask = int(scene.masks.size());
     for (const Mask& mask : file.masks) add(scene.masks, make_mask(mask));
-    std::vector<int> numbers;
+    std::vector<int> material_ids;
     for (const ObjMaterial& material : file.material_list) {
-        numbers.push_back(add_material(scene, material, first_texture));
+        material_ids.push_back(add_material(scene, material, first_texture));
         if (material.mask >= 0 && material.emission == vec3(0))
-            cut_out(scene, numbers.back(), first_mask + material.mask);
+            cut_out(scene, material_ids.back(), first_mask + material.mask);
     }
-    append(scene.mesh, file, numbers, crease);
+    append_model(scene.mesh, file, material_ids, crease_angle);
 }
 
 } // namespace rt

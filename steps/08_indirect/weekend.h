@@ -4,7 +4,7 @@
 #pragma once
 
 #include "01_spheres/camera.h"
-#include "07_antialias/lens.h"
+#include "07_antialias/thin_lens.h"
 #include "08_indirect/scene.h"
 #include "common/math/random.h"
 #include "common/model/sphere_list.h"
@@ -12,10 +12,10 @@
 namespace rt {
 
 /// Seen from what is in focus it is .6 degrees wide: 2 * 10 tan(.3 degrees).
-inline constexpr Lens weekend_lens{.aperture = 0.104720f, .focus = 10};
+inline constexpr ThinLens weekend_lens{.aperture_diameter = 0.104720f, .focus_distance = 10};
 
 /// The sky and the camera that go with it.
-inline LookAt weekend_view(Scene& scene) {
+inline LookAt weekend_camera(Scene& scene) {
     scene.sky = {.nadir = vec3(1), .zenith = {0.5f, 0.7f, 1}};
     return {.from = {13, 2, 3}, .at = {0, 0, 0}, .fov = 20};
 }
@@ -32,8 +32,8 @@ inline Material weekend_material(Random& random) {
         return Diffuse{albedo * three()};
     }
     if (kind >= 0.95f) return Dielectric{{1.5f}};
-    const vec3 albedo = 0.5f + 0.5f * three();
-    return Metal{albedo, 0.5f * random.uniform()};
+    const vec3 reflectance = 0.5f + 0.5f * three();
+    return Metal{reflectance, 0.5f * random.uniform()};
 }
 
 /// The same balls every time.
@@ -53,7 +53,7 @@ inline LookAt weekend(Scene& scene) {
     ball({0, 1, 0}, 1, Dielectric{{1.5f}});
     ball({-4, 1, 0}, 1, Diffuse{{0.4f, 0.2f, 0.1f}});
     ball({4, 1, 0}, 1, Metal{{0.7f, 0.6f, 0.5f}});
-    return weekend_view(scene);
+    return weekend_camera(scene);
 }
 
 /// Balls from a list.
@@ -65,7 +65,7 @@ inline LookAt weekend(Scene& scene, const std::vector<ListedSphere>& list) {
                                                                            : Material(Diffuse{ball.albedo});
         scene.spheres.push_back({ball.center, ball.radius, add(scene.materials, material)});
     }
-    return weekend_view(scene);
+    return weekend_camera(scene);
 }
 
 } // namespace rt

@@ -49,7 +49,7 @@ TEST_CASE("a walk asks each shape whose box the ray enters, and none twice") {
         });
         int missed = 0, twice = 0;
         for (std::size_t k = 0; k < boxes.size(); ++k) {
-            missed += asked[k] == 0 && entry(boxes[k], ray);
+            missed += asked[k] == 0 && intersect(boxes[k], ray);
             twice += asked[k] > 1;
         }
         CHECK_MESSAGE(missed == 0, "shapes that were not asked");
@@ -58,7 +58,7 @@ TEST_CASE("a walk asks each shape whose box the ray enters, and none twice") {
 }
 
 TEST_CASE("a walk ends at once when a leaf says so") {
-    const Bvh bvh = build_bvh(std::vector<Box>(100, Box{{-1, -1, -1}, {1, 1, 1}}));
+    const Bvh bvh = build_bvh(std::vector<Aabb>(100, Aabb{{-1, -1, -1}, {1, 1, 1}}));
     int calls = 0;
     traverse(bvh, Ray{{0, 0, 5}, {0.01f, 0, -1}}, [&](std::uint32_t) { return ++calls == 3; });
     CHECK(calls == 3);
@@ -67,7 +67,7 @@ TEST_CASE("a walk ends at once when a leaf says so") {
 TEST_CASE("a walk goes to the near boxes first and passes over those beyond what was found") {
     for (int axis = 0; axis < 3; ++axis) {
         for (const float sign : {1.0f, -1.0f}) {
-            std::vector<Box> row;
+            std::vector<Aabb> row;
             vec3 along{0.01f};
             along[axis] = 1;
             for (int i = 0; i < 1000; ++i) {
@@ -82,7 +82,7 @@ TEST_CASE("a walk goes to the near boxes first and passes over those beyond what
             tally = {};
             traverse(bvh, ray, [&](std::uint32_t shape) {
                 ++calls;
-                if (const auto t = entry(row[shape], slab, ray.t_min, ray.t_max)) ray.t_max = *t;
+                if (const auto t = intersect(row[shape], slab, ray.t_min, ray.t_max)) ray.t_max = *t;
                 return false;
             });
             INFO("axis ", axis, ", sign ", sign, ": ", calls, " shapes asked, ", tally.box_tests, " boxes");
@@ -97,7 +97,7 @@ TEST_CASE("a walk goes to the near boxes first and passes over those beyond what
 }
 
 TEST_CASE("what lies behind the thing that was found is not asked any more") {
-    std::vector<Box> heap; // 40 boxes near by and one far behind them
+    std::vector<Aabb> heap; // 40 boxes near by and one far behind them
     Random random(52);
     for (int i = 0; i < 41; ++i) {
         const vec3 p = vec3(0, 0, i < 40 ? -5 : -500) + 0.1f * random_point(random);

@@ -109,12 +109,12 @@ TEST_CASE("the tree finds what asking every sphere finds, alone and among triang
     const int grey = add(scene.materials, Diffuse{vec3(0.5f)});
     for (int i = 0; i < 500; ++i)
         scene.spheres.push_back({random_point(random), 0.08f * random.uniform() + 1e-4f, grey});
-    prepare(scene);
+    build_bvhs(scene);
     check_tree_changes_nothing(scene, {vec3(0), vec3(1)}, 2000);
     scene.planes = {{{0, 0.3f, 0}, normalize(vec3(0.1f, 1, 0)), grey}};
     scene.quads = {{{0.2f, 0, 0.5f}, {0.6f, 0, 0.1f}, {0, 0.8f, 0}, grey}};
     add_model(scene, random_triangles(500, 0.2f), 40);
-    prepare(scene);
+    build_bvhs(scene);
     check_tree_changes_nothing(scene, {vec3(0), vec3(1)}, 2000);
 }
 

@@ -12,7 +12,7 @@ using namespace rt;
 namespace {
 
 /// What holds for every tree: each shape in one leaf, children inside parents. Answers how deep it is.
-int check_tree(const std::vector<Box>& boxes) {
+int check_tree(const std::vector<Aabb>& boxes) {
     const Bvh bvh = build_bvh(boxes);
     std::vector<int> times(boxes.size());
     int too_small = 0, largest_leaf = 0;
@@ -21,17 +21,17 @@ int check_tree(const std::vector<Box>& boxes) {
         const BvhNode& node = bvh.nodes[number];
         if (node.count > 0) {
             largest_leaf = std::max(largest_leaf, int(node.count));
-            for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-                REQUIRE(i < bvh.order.size());
-                ++times[bvh.order[i]];
-                too_small += !encloses(node.box, boxes[bvh.order[i]]);
+            for (std::uint32_t i = node.first_index; i < node.first_index + node.count; ++i) {
+                REQUIRE(i < bvh.primitive_indices.size());
+                ++times[bvh.primitive_indices[i]];
+                too_small += !encloses(node.box, boxes[bvh.primitive_indices[i]]);
             }
             return 1;
         }
-        REQUIRE(node.first > number);
-        for (const std::uint32_t child : {node.first, node.first + 1})
+        REQUIRE(node.first_index > number);
+        for (const std::uint32_t child : {node.first_index, node.first_index + 1})
             too_small += !encloses(node.box, bvh.nodes[child].box);
-        return 1 + std::max(visit(node.first), visit(node.first + 1));
+        return 1 + std::max(visit(node.first_index), visit(node.first_index + 1));
     };
     if (boxes.empty()) {
         CHECK(bvh.nodes.empty());
@@ -56,16 +56,16 @@ TEST_CASE("each shape lies in exactly one leaf, and children lie inside their pa
 }
 
 TEST_CASE("shapes that share one middle come apart all the same") {
-    check_tree(std::vector<Box>(5000, Box{{1, 2, 3}, {4, 5, 6}}));
-    std::vector<Box> shells;
+    check_tree(std::vector<Aabb>(5000, Aabb{{1, 2, 3}, {4, 5, 6}}));
+    std::vector<Aabb> shells;
     for (int i = 1; i <= 5000; ++i) shells.push_back({vec3(-float(i)), vec3(float(i))});
     const int depth = check_tree(shells);
     CHECK_MESSAGE(depth <= 40, "halving 5,000 of them takes 13 levels or so");
 }
 
 TEST_CASE("shapes on one point, on one line and far out make a tree too") {
-    check_tree(std::vector<Box>(300, Box{vec3(7), vec3(7)}));
-    std::vector<Box> line, far, tiny;
+    check_tree(std::vector<Aabb>(300, Aabb{vec3(7), vec3(7)}));
+    std::vector<Aabb> line, far, tiny;
     Random random(41);
     for (int i = 0; i < 1000; ++i) {
         line.push_back({vec3(float(i), 0, 0), vec3(float(i) + 0.5f, 0, 0)});
@@ -81,12 +81,12 @@ TEST_CASE("shapes on one point, on one line and far out make a tree too") {
 TEST_CASE("a tree over shapes that double their distance does not get deeper than a stack holds") {
     check_tree(exponential_chain(-60, 60, {1, 1, 1}));
     check_tree(exponential_chain(-120, 120, {1, 0.5f, -0.3f}));
-    std::vector<Box> star; // along six half-axes at once, so that one axis after the other is used up
+    std::vector<Aabb> star; // along six half-axes at once, so that one axis after the other is used up
     for (const vec3 axis : {vec3(1, 1e-3f, 1e-3f), vec3(1e-3f, 1, 1e-3f), vec3(1e-3f, 1e-3f, 1)})
         for (const float sign : {1.0f, -1.0f})
-            for (const Box& box : exponential_chain(-60, 60, sign * axis)) star.push_back(box);
+            for (const Aabb& box : exponential_chain(-60, 60, sign * axis)) star.push_back(box);
     check_tree(star);
-    std::vector<Box> nested; // ever larger boxes, each from the same corner
+    std::vector<Aabb> nested; // ever larger boxes, each from the same corner
     for (int k = -60; k < 60; ++k)
         for (int i = 0; i < 12; ++i)
             nested.push_back({vec3(0), std::ldexp(1.0f, k) * vec3(1, 1 + 0.01f * float(i), 1)});
@@ -96,6 +96,6 @@ TEST_CASE("a tree over shapes that double their distance does not get deeper tha
 TEST_CASE("the same boxes make the same tree") {
     const auto boxes = boxes_of(random_triangles(1000, 0.1f));
     const Bvh one = build_bvh(boxes), two = build_bvh(boxes);
-    CHECK(one.order == two.order);
+    CHECK(one.primitive_indices == two.primitive_indices);
     CHECK(one.nodes.size() == two.nodes.size());
 }

@@ -41,14 +41,14 @@ std::array<Scene, 3> by_all_ways(const Scene& scene) {
     std::array<Scene, 3> all{scene, scene, scene};
     for (std::size_t i = 0; i < 3; ++i) {
         all[i].accel = std::array{Accel::brute, Accel::bvh, Accel::wide}[i];
-        prepare(all[i]);
+        build_bvhs(all[i]);
     }
     return all;
 }
 
 /// How far the new origin is above the surface along its normal, in units of the hit's error: 1, up to rounding.
 double height_over_triangle(const Mesh& mesh, std::uint32_t i, vec3 point) {
-    const auto [a, b, c] = corners(mesh, i);
+    const auto [a, b, c] = vertices(mesh, i);
     return dot(dvec3(point) - dvec3(a), normalize(area_normal({a, b, c})));
 }
 
@@ -95,9 +95,9 @@ TEST_CASE("a new ray starts off the surface and on the right side, whatever the 
         const vec3 n = cross(normalize(b - a), normalize(c - a));
         if (length(n) < 0.05f) continue; // a needle
         Scene scene;
-        append(scene.mesh, file, {0}, 0);
+        append_model(scene.mesh, file, {0}, 0);
         scene.accel = i % 2 == 0 ? Accel::wide : Accel::brute;
-        prepare(scene);
+        build_bvhs(scene);
         const vec3 target = 0.3f * a + 0.36f * b + 0.34f * c;
         const vec3 eye = target + away * normalize(random_direction(random));
         const auto hit = intersect(scene, Ray{eye, target - eye});
@@ -128,7 +128,7 @@ TEST_CASE("a floor of a metre or a kilometre throws no shadow on itself, and let
         add_triangle(file, corner(-1, -1), corner(1, 1), corner(1, -1));
         add_triangle(file, corner(-1, -1), corner(-1, 1), corner(1, 1));
         Scene scene;
-        append(scene.mesh, file, {0}, 0);
+        append_model(scene.mesh, file, {0}, 0);
         for (const Scene& found : by_all_ways(scene)) {
             int rays = 0, dark = 0, twice = 0;
             for (int i = 0; i < 3000; ++i) {
@@ -157,7 +157,7 @@ TEST_CASE("what lies behind the surface is hidden by it, however its normal is b
     const vec3 u = normalize(cross(n, vec3(0, 0, 1))), v = cross(n, u);
     add_triangle(file, -4.0f * u - 4.0f * v, 4.0f * u - 4.0f * v, 6.0f * v);
     Scene scene;
-    append(scene.mesh, file, {0}, 0);
+    append_model(scene.mesh, file, {0}, 0);
     scene.mesh.normals.assign(scene.mesh.normals.size(), bent);
     for (const Scene& found : by_all_ways(scene)) {
         const auto hit = intersect(found, Ray{2.0f * n - u, -n});
@@ -196,7 +196,7 @@ TEST_CASE("models that are far from the origin are told apart by double coordina
     add_model(scene, near, 40);
     add_model(scene, far, 40);
     CHECK(scene.mesh.origin == near.origin);
-    const Box box = bounds(scene.mesh);
-    CHECK(box.low == approx({-1, -2.5f, -7}, 0.2f));
-    CHECK_MESSAGE(box.high == approx({11.25f, 1, 1}, 0.2f), "the second one is moved by the difference");
+    const Aabb box = bounds(scene.mesh);
+    CHECK(box.min == approx({-1, -2.5f, -7}, 0.2f));
+    CHECK_MESSAGE(box.max == approx({11.25f, 1, 1}, 0.2f), "the second one is moved by the difference");
 }

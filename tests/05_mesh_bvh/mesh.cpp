@@ -19,14 +19,14 @@ struct Scene {
 
 Scene scene_of(const ObjFile& file) {
     Scene scene;
-    append(scene.mesh, file, {0}, 40);
+    append_model(scene.mesh, file, {0}, 40);
     return scene;
 }
 
 std::optional<Hit> intersect(const Scene& scene, Ray ray) {
     std::optional<MeshHit> nearest;
     for (std::uint32_t i = 0; i < scene.mesh.triangles.size(); ++i) {
-        const auto [p, q, r] = corners(scene.mesh, i);
+        const auto [p, q, r] = vertices(scene.mesh, i);
         const glm::dmat3 columns(dvec3(q - p), dvec3(r - p), -dvec3(ray.direction));
         const dvec3 uvt = inverse(columns) * dvec3(ray.origin - p); // p + u (q - p) + v (r - p) = O + t D
         if (!(std::min({uvt.x, uvt.y, 1 - uvt.x - uvt.y}) >= -1e-9) || !contains(ray, float(uvt.z))) continue;
@@ -39,18 +39,18 @@ std::optional<Hit> intersect(const Scene& scene, Ray ray) {
 } // namespace
 
 TEST_CASE("the box of a sphere and of a triangle touches it on all sides") {
-    const Box sphere = bounds(Sphere{{1, -2, 3}, 2, 0});
-    CHECK(sphere.low == vec3(-1, -4, 1));
-    CHECK(sphere.high == vec3(3, 0, 5));
+    const Aabb sphere = bounds(Sphere{{1, -2, 3}, 2, 0});
+    CHECK(sphere.min == vec3(-1, -4, 1));
+    CHECK(sphere.max == vec3(3, 0, 5));
     ObjFile file = empty_file();
     add_triangle(file, a, b, c);
     add_triangle(file, c + 1.0f, a + 1.0f, b + 1.0f);
     const Scene scene = scene_of(file);
-    CHECK_MESSAGE(bounds(scene.mesh, 0).low == vec3(-1, -2, 3), "all three corners count");
-    CHECK(bounds(scene.mesh, 0).high == vec3(3, 2, 6));
-    CHECK(bounds(scene.mesh, 1).low == vec3(0, -1, 4));
-    CHECK(bounds(scene.mesh).low == vec3(-1, -2, 3));
-    CHECK(bounds(scene.mesh).high == vec3(4, 3, 7));
+    CHECK_MESSAGE(bounds(scene.mesh, 0).min == vec3(-1, -2, 3), "all three corners count");
+    CHECK(bounds(scene.mesh, 0).max == vec3(3, 2, 6));
+    CHECK(bounds(scene.mesh, 1).min == vec3(0, -1, 4));
+    CHECK(bounds(scene.mesh).min == vec3(-1, -2, 3));
+    CHECK(bounds(scene.mesh).max == vec3(4, 3, 7));
 }
 
 TEST_CASE("the true normal of a hit is unit, at right angles to the triangle and on the side of the ray") {
@@ -109,7 +109,7 @@ TEST_CASE("a normal is bent no further than needed for a mirror to clear the sur
         if (dot(direction, geometric) > 0) direction = -direction;
         if (dot(smooth, geometric) < 0) smooth = -smooth;
         if (dot(smooth, geometric) < 0.05f || dot(direction, geometric) > -0.02f) continue;
-        const vec3 cleared = clearing(direction, smooth, geometric);
+        const vec3 cleared = ensure_valid_reflection(direction, smooth, geometric);
         const vec3 reflected = reflect(direction, cleared);
         if (!(length(cleared) == approx(1, 1e-4f) && dot(reflected, geometric) > 0))
             FAIL_CHECK("d ", direction, ", smooth ", smooth, ", true ", geometric, ": got ", cleared,
@@ -122,7 +122,7 @@ TEST_CASE("a normal is bent no further than needed for a mirror to clear the sur
     }
     CHECK(bent > 100);
     const vec3 straight = normalize(vec3(1, 2, -2));
-    CHECK(clearing(-straight, straight, straight) == straight);
+    CHECK(ensure_valid_reflection(-straight, straight, straight) == straight);
 }
 
 TEST_CASE("at a seam of the uv map each triangle keeps its own uv") {
@@ -141,7 +141,7 @@ TEST_CASE("place scales a model, turns it from +z towards +x and then shifts it"
     ObjFile file = empty_file();
     add_triangle(file, {0, 0, 1}, {1, 0, 0}, {0, 3, 0});
     file.normals = {{0, 0, 1}};
-    place(file, 2, 90, {10, 20, 30});
+    transform(file, 2, 90, {10, 20, 30});
     CHECK_MESSAGE(file.positions[0] == approx({12, 20, 30}), "+z is +x after a quarter turn");
     CHECK(file.positions[1] == approx({10, 20, 28}));
     CHECK(file.positions[2] == approx({10, 26, 30}));

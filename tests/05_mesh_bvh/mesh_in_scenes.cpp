@@ -34,7 +34,7 @@ TEST_CASE("an icosphere of level 4 has nearly the area and the volume of the bal
     const Scene scene = scene_of(icosphere(4));
     double area = 0, volume = 0;
     for (std::uint32_t i = 0; i < scene.mesh.triangles.size(); ++i) {
-        const auto corner = corners(scene.mesh, i);
+        const auto corner = vertices(scene.mesh, i);
         area += length(area_normal(corner)) / 2;
         volume += double(dot(corner[0], cross(corner[1], corner[2]))) / 6;
         if (!(dot(area_normal(corner), dvec3(corner[0])) > 0)) FAIL_CHECK("triangle ", i, " faces inward");

@@ -1,7 +1,7 @@
 // Light in and on whole models: a lens of triangles, and the bunny.
 #include "04_refraction/radiance.h"
 #include "05_mesh_bvh/scene.h"
-#include "05_mesh_bvh/stage.h"
+#include "05_mesh_bvh/framing.h"
 #include "tests/05_mesh_bvh/step.h"
 #include "tests/check.h"
 #include "tests/meshes.h"
@@ -34,11 +34,11 @@ TEST_CASE(
     const std::clock_t start = std::clock();
     Scene scene = scene_of(read_obj(path));
     CHECK(scene.mesh.triangles.size() > 10000);
-    const Box box = bounds(scene.mesh);
-    const Stage stage = stage_for(box, 1);
-    scene.lights = {{stage.lamp, vec3(3 * stage.lamp_scale)}};
+    const Aabb box = bounds(scene.mesh);
+    const Framing framing = frame_model(box, 1);
+    scene.lights = {{framing.key_light, vec3(3 * framing.intensity_scale)}};
     scene.sky = {vec3(0), vec3(0.2f)};
-    const Camera camera = make_camera(stage.look_at, 60, 60);
+    const Camera camera = make_camera(framing.look_at, 60, 60);
     int covered = 0, unlit = 0;
     for (int y = 0; y < 60; ++y) {
         for (int x = 0; x < 60; ++x) {

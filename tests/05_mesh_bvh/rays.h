@@ -1,7 +1,7 @@
 // Points and directions at random, and when a ray enters a box: what the quickest checks of step 05 need.
 #pragma once
 
-#include "05_mesh_bvh/box.h"
+#include "05_mesh_bvh/aabb.h"
 #include "common/math/random.h"
 
 #include <optional>
@@ -22,8 +22,8 @@ inline vec3 random_direction(Random& random) {
     }
 }
 
-inline std::optional<float> entry(const Box& box, const Ray& ray) {
-    return entry(box, slab_ray(ray), ray.t_min, ray.t_max);
+inline std::optional<float> intersect(const Aabb& box, const Ray& ray) {
+    return intersect(box, slab_ray(ray), ray.t_min, ray.t_max);
 }
 
 } // namespace rt

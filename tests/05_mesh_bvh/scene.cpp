@@ -18,7 +18,7 @@ TEST_CASE("two models in one scene keep their own triangles and materials") {
     add(scene.materials, emissive(vec3(7)));
     add_model(scene, one, 40);
     add_model(scene, two, 40);
-    prepare(scene);
+    build_bvhs(scene);
     const auto hit_from = [&](vec3 from, float direction) {
         return *intersect(scene, Ray{from, {0, 0, direction}});
     };

@@ -18,7 +18,7 @@ TEST_CASE("the nearest of several things is met, whichever kind it is") {
             ObjFile file = empty_file();
             add_triangle(file, {-3, -3, depth(3)}, {3, -3, depth(3)}, {0, 3, depth(3)});
             add_model(scene, file, 40);
-            prepare(scene);
+            build_bvhs(scene);
             const auto hit = intersect(scene, Ray{{0.01f, 0.02f, 0}, {0, 0, -2}});
             REQUIRE(hit);
             INFO("sphere, plane, quad, triangle: number ", nearest);

@@ -20,18 +20,18 @@ struct Comparison {
 };
 
 /// Rays at the box, from without and from within, by the wide tree and by asking every shape.
-Comparison compare_with_brute(const Scene& scene, const Box& box, int count, std::uint64_t seed = 7) {
+Comparison compare_with_brute(const Scene& scene, const Aabb& box, int count, std::uint64_t seed = 7) {
     Scene brute = scene, wide = scene;
     brute.accel = Accel::brute;
     wide.accel = Accel::wide;
-    prepare(wide);
+    build_bvhs(wide);
     Comparison result;
     Random random(seed);
-    const float size = std::max(length(box.high - box.low), 1e-20f);
+    const float size = std::max(length(box.max - box.min), 1e-20f);
     for (int i = 0; i < count; ++i) {
-        const vec3 target = mix(box.low, box.high, random_point(random));
-        vec3 origin = (box.low + box.high) / 2.0f + size * random_direction(random);
-        if (i % 4 == 0) origin = mix(box.low, box.high, random_point(random));
+        const vec3 target = mix(box.min, box.max, random_point(random));
+        vec3 origin = (box.min + box.max) / 2.0f + size * random_direction(random);
+        if (i % 4 == 0) origin = mix(box.min, box.max, random_point(random));
         Ray ray{origin, target - origin};
         if (i % 3 == 0) ray.t_max = 1.2f;
         const auto right = intersect(brute, ray), got = intersect(wide, ray);
@@ -48,7 +48,7 @@ Comparison compare_with_brute(const Scene& scene, const Box& box, int count, std
     return result;
 }
 
-void check_wide_changes_nothing(const Scene& scene, const Box& box, int count) {
+void check_wide_changes_nothing(const Scene& scene, const Aabb& box, int count) {
     const Comparison result = compare_with_brute(scene, box, count);
     INFO(result.hits, " of ", result.rays, " rays hit");
     CHECK_MESSAGE(result.different == 0, result.first,
@@ -78,7 +78,7 @@ TEST_CASE("a quad in the wide tree has the hit of a quad, in both of its halves"
     add(scene.materials, Diffuse{vec3(0.5f)});
     const int second = add(scene.materials, Diffuse{vec3(0.7f)});
     scene.quads = {{{1, 0.5f, -2}, {2, 0.3f, 0.1f}, {-0.2f, 1.5f, 0.4f}, second}};
-    prepare(scene);
+    build_bvhs(scene);
     Random random(86);
     for (int i = 0; i < 300; ++i) {
         const vec2 uv = 0.002f + 0.996f * random.uniform2();
@@ -97,7 +97,7 @@ TEST_CASE("the tests of the wide trees are counted for --view work alone") {
     Scene scene;
     add_model(scene, random_triangles(500, 0.2f), 40);
     scene.spheres = {{vec3(0.5f), 0.2f, 0}};
-    prepare(scene);
+    build_bvhs(scene);
     const Ray ray{{0.5f, 0.5f, 3}, {0, 0, -1}};
     for (const bool counted : {false, true}) {
         scene.count_tests = counted;

@@ -14,28 +14,28 @@ namespace rt {
 inline Scene scene_of(const ObjFile& file, float crease = 40) {
     Scene scene;
     add_model(scene, file, crease);
-    prepare(scene);
+    build_bvhs(scene);
     return scene;
 }
 
 inline Scene with(Scene scene, Accel accel) {
     scene.accel = accel;
-    prepare(scene);
+    build_bvhs(scene);
     return scene;
 }
 
 /// Shoots `count` rays at the box around the scene and compares the tree with asking every shape.
 /// Of two shapes at the same t either may be met first, so only t is compared.
-inline void check_tree_changes_nothing(const Scene& any, const Box& box, int count, std::uint64_t seed = 7) {
+inline void check_tree_changes_nothing(const Scene& any, const Aabb& box, int count, std::uint64_t seed = 7) {
     Scene scene = with(any, Accel::bvh);
     Random random(seed);
-    const float size = std::max(length(box.high - box.low), 1e-20f);
+    const float size = std::max(length(box.max - box.min), 1e-20f);
     int hits = 0, wrong = 0, wrong_shadows = 0;
     std::string first;
     for (int i = 0; i < count; ++i) {
-        const vec3 target = mix(box.low, box.high, random_point(random));
-        vec3 origin = middle(box) + size * random_direction(random);
-        if (i % 4 == 0) origin = mix(box.low, box.high, random_point(random)); // from within
+        const vec3 target = mix(box.min, box.max, random_point(random));
+        vec3 origin = centroid(box) + size * random_direction(random);
+        if (i % 4 == 0) origin = mix(box.min, box.max, random_point(random)); // from within
         Ray ray{origin, target - origin};
         if (i % 3 == 0) ray.t_max = 1.2f; // a segment
         scene.accel = Accel::brute;

@@ -33,7 +33,7 @@ Scene leaves(Accel accel) {
     Scene scene;
     scene.accel = accel;
     add_model(scene, file, 40);
-    prepare(scene);
+    build_bvhs(scene);
     return scene;
 }
 
@@ -91,7 +91,7 @@ TEST_CASE("what glows has no holes") {
     add_leaf(file, 1, 0);
     Scene scene;
     add_model(scene, file, 40);
-    prepare(scene);
+    build_bvhs(scene);
     CHECK(intersect(scene, Ray{{0.5f, 5, -0.5f}, {0, -1, 0}}));
 }
 
@@ -105,7 +105,7 @@ TEST_CASE("colors of vertices are blended over a triangle and multiply its albed
     for (vec3& position : scene.mesh.positions) position.y -= 10;
     add_model(scene, file, 40);
     scene.sky = {.nadir = vec3(1), .zenith = vec3(1)};
-    prepare(scene);
+    build_bvhs(scene);
     const Ray ray{{0.9f, 2, 0.6f}, {0, -1, 0}};
     const auto hit = intersect(scene, ray);
     REQUIRE(hit);

@@ -8,8 +8,8 @@ using namespace rt;
 TEST_CASE("a picture on a sphere is upright and not mirrored") {
     Scene scene = evenly_lit();
     const int picture = add(scene.textures, card());
-    scene.spheres = {{{3, -1, 2}, 1.5f, add(scene.materials, Textured{picture})}};
-    prepare(scene);
+    scene.spheres = {{{3, -1, 2}, 1.5f, add(scene.materials, ImageTexture{picture})}};
+    build_bvhs(scene);
     // From far out above the middle of each texel, whose longitude and latitude are known.
     for (int y = 0; y < 2; ++y) {
         for (int x = 0; x < 3; ++x) {
@@ -29,8 +29,8 @@ TEST_CASE("a picture on a quad has its lower left corner at the quad's corner") 
     const int picture = add(scene.textures, card());
     // Oblique, and turned in its plane.
     const vec3 corner{-2, 1, -4}, u{3, 0.5f, 1}, v{-0.7f, 2, 0.4f};
-    scene.quads = {{corner, u, v, add(scene.materials, Textured{picture})}};
-    prepare(scene);
+    scene.quads = {{corner, u, v, add(scene.materials, ImageTexture{picture})}};
+    build_bvhs(scene);
     for (int y = 0; y < 2; ++y) {
         for (int x = 0; x < 3; ++x) {
             const vec3 target = corner + (float(x) + 0.5f) / 3 * u + (float(y) + 0.5f) / 2 * v;
@@ -55,7 +55,7 @@ TEST_CASE("a picture on a mesh follows the uv of the corners") {
     file.material_list = {{.name = "card", .diffuse = vec3(1), .texture = 0}};
     Scene scene = evenly_lit();
     add_model(scene, file, 40);
-    prepare(scene);
+    build_bvhs(scene);
     const Texture texture = make_texture(bitmap);
     for (int i = 0; i < 29; ++i) {
         for (int k = 0; k < 19; ++k) {
@@ -73,24 +73,24 @@ TEST_CASE("a picture on a mesh follows the uv of the corners") {
 TEST_CASE("a lit picture reflects albedo / pi of what arrives, and shines by itself where it is told to") {
     Scene scene;
     const int picture = add(scene.textures, texture_of(1, 1, {{0.8f, 0.4f, 0.2f}}));
-    scene.planes = {
-        {{0, 0, 0},
-         {0, 0, 1},
-         add(scene.materials, Textured{.texture = picture, .tint = {0.5f, 1, 1}, .emission = {0, 0, 3}})}};
+    scene.planes = {{{0, 0, 0},
+                     {0, 0, 1},
+                     add(scene.materials,
+                         ImageTexture{.texture = picture, .tint = {0.5f, 1, 1}, .emission = {0, 0, 3}})}};
     scene.lights = {{{0, 0, 2}, vec3(pi)}};
-    prepare(scene);
+    build_bvhs(scene);
     CHECK(radiance(scene, Ray{{0.5f, 0, 1}, {-0.5f, 0, -1}}, 2) == approx(vec3(0.1f, 0.1f, 0.05f + 3)));
 }
 
 TEST_CASE("a reflective coat lies over a picture as over any other material") {
     Scene scene;
     scene.sky = {vec3(0.2f), vec3(1)};
-    const int base = add(scene.materials, Textured{add(scene.textures, card()), vec3(1)});
+    const int base = add(scene.materials, ImageTexture{add(scene.textures, card()), vec3(1)});
     const int mirror = add(scene.materials, Mirror{});
     const int coat = add(scene.materials, Coated{0.3f, base});
     const auto seen = [&](int material) {
         scene.spheres = {{{0, 0, 0}, 2, material}};
-        prepare(scene);
+        build_bvhs(scene);
         return radiance(scene, Ray{{1, 1.2f, 5}, {-0.2f, 0.05f, -1}}, 3);
     };
     CHECK(seen(coat) == approx(0.7f * seen(base) + 0.3f * seen(mirror)));
@@ -102,7 +102,7 @@ TEST_CASE("a checker of .8 and .15 seen from far away averages .475") {
     Scene scene = evenly_lit();
     scene.planes = {
         {{0.3f, 0, 0.2f}, {0, 1, 0}, add(scene.materials, Checkerboard{vec3(0.8f), vec3(0.15f), 0.37f})}};
-    prepare(scene);
+    build_bvhs(scene);
     Random random(72);
     Mean mean;
     for (int i = 0; i < 160000; ++i) {
@@ -123,8 +123,8 @@ TEST_CASE("a texture of .8 and .15 seen from far away averages .475 too") {
         {{-10, 0, 10},
          {20, 0, 0},
          {0, 0, -20},
-         add(scene.materials, Textured{.texture = add(scene.textures, squares), .repeat = vec2(31)})}};
-    prepare(scene);
+         add(scene.materials, ImageTexture{.texture = add(scene.textures, squares), .uv_scale = vec2(31)})}};
+    build_bvhs(scene);
     Random random(73);
     Mean mean;
     for (int i = 0; i < 100000; ++i) {
@@ -140,12 +140,12 @@ TEST_CASE("tinted glass, mirrors and depth work among textures as they did in st
     Scene scene = evenly_lit();
     scene.spheres = {{{1, 2, 3}, 2, add(scene.materials, Dielectric{{1, absorption}})},
                      {{1, 2, 3}, 0.5f, add(scene.materials, Mirror{{0.5f, 0.6f, 0.7f}})}};
-    prepare(scene);
+    build_bvhs(scene);
     const Ray ray{{1, 2, 9}, {0, 0, -2}};
     CHECK(radiance(scene, ray, 5) == approx(vec3(0.5f, 0.6f, 0.7f) * exp(-absorption * 3.0f), 1e-4f));
     scene.spheres[0].material = add(scene.materials, Dielectric{{1.5f}});
     scene.spheres.pop_back();
-    prepare(scene);
+    build_bvhs(scene);
     CHECK(radiance(scene, ray, 1) == approx(vec3(0.04f)));
     CHECK(radiance(scene, ray, 2) == approx(vec3(0.9616f)));
     CHECK(radiance(scene, ray, 30) == approx(vec3(1), 1e-4f));

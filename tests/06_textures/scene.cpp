@@ -64,7 +64,7 @@ TEST_CASE("one mesh carries several materials and several textures") {
     add(scene.textures, card()); // something is in the scene before the model
     add(scene.materials, Diffuse{vec3(0.01f)});
     add_model(scene, read_obj(folder.file("model.obj")), 40);
-    prepare(scene);
+    build_bvhs(scene);
     CHECK_MESSAGE(scene.textures.size() == 3, "each picture is loaded once");
     const auto seen = [&](int i) { return seen_at(scene, float(2 * i) + 0.3f, 0.3f); };
     CHECK(seen(0) == approx(wood, 1e-4f));
@@ -88,7 +88,7 @@ TEST_CASE("two models keep their own textures") {
                                         std::to_string(2 * i + 1) + " 0 0\nv " + x + " 1 0\nf 1 2 3\n");
         add_model(scene, read_obj(folder.file(name + ".obj")), 40);
     }
-    prepare(scene);
+    build_bvhs(scene);
     for (int i = 0; i < 3; ++i) {
         INFO("model ", i);
         CHECK_MESSAGE(seen_at(scene, float(2 * i) + 0.3f, 0.3f) == approx(colours[std::size_t(i)], 1e-4f),
@@ -103,7 +103,7 @@ TEST_CASE("a texture that is missing shows as a magenta checker") {
                               "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n");
     Scene scene = evenly_lit();
     add_model(scene, read_obj(folder.file("model.obj")), 40); // it says so on stderr
-    prepare(scene);
+    build_bvhs(scene);
     int magenta = 0, black = 0;
     for (int i = 0; i < 900; ++i) {
         const vec3 colour = seen_at(scene, (float(i % 30) + 0.5f) / 30, (float(i / 30) + 0.5f) / 30);
@@ -127,7 +127,7 @@ TEST_CASE("a picture from a file lies upright on a mesh") {
                               "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n");
     Scene scene = evenly_lit();
     add_model(scene, read_obj(folder.file("model.obj")), 40);
-    prepare(scene);
+    build_bvhs(scene);
     CHECK_MESSAGE(seen_at(scene, 0.5f, 1.5f) == approx(red, 6e-3f), "grey: upside down; blue: mirrored");
     CHECK(seen_at(scene, 2.5f, 1.5f) == approx(blue, 6e-3f));
     CHECK(seen_at(scene, 0.5f, 0.5f) == approx(grey, 6e-3f));
@@ -142,14 +142,14 @@ TEST_CASE("a glass model stays glass, and a tree changes nothing about textured 
     CHECK(std::get<Dielectric>(material({.ior = 1.33f, .glass = true})).interior.ior == 1.33f);
     CHECK(std::get<Diffuse>(material({.diffuse = {0.8f, 0.4f, 0.2f}, .emission = {1, 2, 3}})).emission ==
           vec3(1, 2, 3));
-    const Textured lamp =
-        std::get<Textured>(material({.diffuse = {0.8f, 0.4f, 0.2f}, .emission = {1, 2, 3}, .texture = 4}));
+    const ImageTexture lamp = std::get<ImageTexture>(
+        material({.diffuse = {0.8f, 0.4f, 0.2f}, .emission = {1, 2, 3}, .texture = 4}));
     CHECK(lamp.texture == 4);
     CHECK(lamp.tint == vec3(0.8f, 0.4f, 0.2f));
     CHECK(lamp.emission == vec3(1, 2, 3));
-    CHECK(lamp.repeat == vec2(1));
+    CHECK(lamp.uv_scale == vec2(1));
 
-    const int picture = add(scene.materials, Textured{add(scene.textures, card())});
+    const int picture = add(scene.materials, ImageTexture{add(scene.textures, card())});
     Random random(74);
     for (int i = 0; i < 60; ++i) {
         const vec2 p = random.uniform2();
@@ -157,7 +157,7 @@ TEST_CASE("a glass model stays glass, and a tree changes nothing about textured 
     }
     for (const Accel accel : {Accel::bvh, Accel::wide}) {
         scene.accel = accel;
-        prepare(scene);
+        build_bvhs(scene);
     }
     for (int i = 0; i < 500; ++i) {
         const vec2 p = random.uniform2();

@@ -182,14 +182,14 @@ TEST_CASE("one texel fills everything, and no uv makes a value that was not ther
 TEST_CASE("tint multiplies a picture, repeat tiles it, emission stands beside it") {
     const std::vector<Texture> textures = {texture_of(1, 1, {grey}), card()};
     const vec2 uv{0.31f, 0.83f};
-    const Diffuse plain = at(Textured{1}, textures, uv);
+    const Diffuse plain = evaluate(ImageTexture{1}, textures, uv);
     CHECK_MESSAGE(plain.albedo == approx(bilinear(card(), uv)), ".3: the wrong one of two textures");
     CHECK(plain.emission == vec3(0));
     const Diffuse tinted =
-        at(Textured{.texture = 1, .tint = {0.5f, 0.2f, 0.8f}, .emission = {3, 0, 1}}, textures, uv);
+        evaluate(ImageTexture{.texture = 1, .tint = {0.5f, 0.2f, 0.8f}, .emission = {3, 0, 1}}, textures, uv);
     CHECK(tinted.albedo == approx(vec3(0.5f, 0.2f, 0.8f) * bilinear(card(), uv)));
     CHECK(tinted.emission == vec3(3, 0, 1));
-    const Diffuse tiled = at(Textured{.texture = 1, .repeat = {3, 5}}, textures, uv);
+    const Diffuse tiled = evaluate(ImageTexture{.texture = 1, .uv_scale = {3, 5}}, textures, uv);
     CHECK_MESSAGE(tiled.albedo == approx(bilinear(card(), {0.93f, 0.15f}), 2e-5f),
                   "uv times repeat, u by x and v by y");
 }

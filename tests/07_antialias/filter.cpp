@@ -15,7 +15,7 @@ TEST_CASE("the tent has the density 1 - |x|") {
     std::array<double, 20> bins{};
     const int count = 200'000;
     for (int i = 0; i < count; ++i) {
-        const float x = tent((float(i) + 0.5f) / float(count));
+        const float x = sample_tent((float(i) + 0.5f) / float(count));
         REQUIRE(x >= -1);
         REQUIRE(x <= 1);
         bins[std::size_t(std::min(int((x + 1) * 10), 19))] += 1.0 / count;
@@ -91,7 +91,7 @@ TEST_CASE("a box covers the pixel, a tent reaches to the next middles, a Gaussia
             float farthest = 0;
             Random random(19);
             for (int i = 0; i < 40'000; ++i) {
-                const vec2 p = filter_offset(filter, random.uniform2(), width);
+                const vec2 p = sample_filter(filter, random.uniform2(), width);
                 for (int k = 0; k < 2; ++k) {
                     mean[std::size_t(k)].add(double(p[k]));
                     square[std::size_t(k)].add(double(p[k]) * double(p[k]));
@@ -115,7 +115,7 @@ TEST_CASE("a box covers the pixel, a tent reaches to the next middles, a Gaussia
 TEST_CASE("a filter of width 0 asks the middle of the pixel alone") {
     for (const Filter filter : filters) {
         Random random(23);
-        for (int i = 0; i < 100; ++i) CHECK(filter_offset(filter, random.uniform2(), 0) == approx(vec2(0)));
+        for (int i = 0; i < 100; ++i) CHECK(sample_filter(filter, random.uniform2(), 0) == approx(vec2(0)));
     }
 }
 
@@ -128,7 +128,7 @@ TEST_CASE("the Gaussian weighs an edge the same from every side") {
         Mean white;
         Random random(29);
         for (int i = 0; i < 40'000; ++i)
-            white.add(dot(filter_offset(Filter::gaussian, random.uniform2(), 1), outward) < 0.4f ? 1 : 0);
+            white.add(dot(sample_filter(Filter::gaussian, random.uniform2(), 1), outward) < 0.4f ? 1 : 0);
         INFO("edge towards " << degrees << " degrees: " << white.against(want)
                              << "; right along the axes only: x and y are not independent");
         CHECK(std::abs(white.z(want)) < 4);

@@ -21,7 +21,7 @@ Film photograph(const RenderSettings& wanted, SamplerKind kind, Filter filter, f
                 const std::function<vec3(vec2)>& world) {
     return render(wanted, [&](const Sample& sample) {
         Sampler sampler(kind, sample);
-        return world(picture_point(sample, sampler, filter, width));
+        return world(film_point(sample, sampler, filter, width));
     });
 }
 
@@ -45,7 +45,7 @@ TEST_CASE("x and y of a sample know nothing of each other") {
                                     : filter == Filter::tent ? 1.0 / 6
                                                              : 0.25;
             for (int i = 0; i < 40'000; ++i) {
-                const vec2 p = filter_offset(filter, first_point(kind, i % 16, 16, i / 16, 13), 1);
+                const vec2 p = sample_filter(filter, first_point(kind, i % 16, 16, i / 16, 13), 1);
                 xy.add(double(p.x * p.y));
                 squares.add((double(p.x * p.x) - variance) * (double(p.y * p.y) - variance));
             }
@@ -68,7 +68,7 @@ TEST_CASE("a pixel beside an edge sees what its filter reaches across it") {
             for (const vec2 axis : {vec2(1, 0), vec2(0, 1), vec2(-1, 0), vec2(0, -1)}) {
                 Mean mean;
                 for (int i = 0; i < 64 * 400; ++i) {
-                    const vec2 p = filter_offset(filter, first_point(kind, i % 64, 64, i / 64, 31), 1);
+                    const vec2 p = sample_filter(filter, first_point(kind, i % 64, 64, i / 64, 31), 1);
                     mean.add(dot(p, axis) < 0.3f ? 1 : 0);
                 }
                 INFO(name(kind) << ", " << name(filter) << ": " << mean.against(want[std::size_t(filter)]));

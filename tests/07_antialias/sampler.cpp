@@ -131,12 +131,12 @@ TEST_CASE("every sample is spread evenly over the pixels, in every dimension") {
 }
 
 TEST_CASE("no number reaches 1") {
-    CHECK(fraction(0xffffffffu) < 1);
+    CHECK(to_unit_float(0xffffffffu) < 1);
     Random random(5);
     const int count = 1 << 24;
     float largest = 0;
     for (int repeat = 0; repeat < 100'000; ++repeat)
-        largest = std::max(largest, stratified_number(count - 1, count, random));
+        largest = std::max(largest, stratified_1d(count - 1, count, random));
     CHECK_MESSAGE(largest < 1, "the last cell and the jitter add up to 1");
     for (const SamplerKind kind : kinds)
         for (int index = 0; index < 100'000; ++index)

@@ -16,18 +16,18 @@ TEST_CASE("Sobol's first points are those of the book, and the rest follow its d
                                    vec2(0.375f, 0.375f), vec2(0.875f, 0.875f)};
     for (std::uint32_t i = 0; i < 8; ++i) {
         INFO("point " << i);
-        CHECK(vec2(fraction(i), fraction(sobol_second(i))) == approx(book[i]));
+        CHECK(vec2(to_unit_float(i), to_unit_float(sobol_dimension_1(i))) == approx(book[i]));
     }
     // Of the polynomial x + 1: m_1 = 1, m_k = 2 m_(k-1) xor m_(k-1); bit k-1 of the index adds m_k / 2^k.
     std::uint32_t m = 1;
     for (int k = 1; k <= 32; ++k) {
         const std::uint32_t direction = m << (32 - k);
         INFO("direction " << k);
-        CHECK(sobol_second(1u << (k - 1)) == reversed_bits(direction));
+        CHECK(sobol_dimension_1(1u << (k - 1)) == reverse_bits(direction));
         m = 2 * m ^ m;
     }
     for (std::uint32_t i = 1; i < 1000; ++i) // and sums of indices without a common bit are sums of points
-        CHECK(sobol_second(i) == (sobol_second(i & (i - 1)) ^ sobol_second(i & ~(i - 1))));
+        CHECK(sobol_dimension_1(i) == (sobol_dimension_1(i & (i - 1)) ^ sobol_dimension_1(i & ~(i - 1))));
 }
 
 TEST_CASE("Owen's scrambling sends boxes to boxes, and flips each digit for itself") {
@@ -36,7 +36,7 @@ TEST_CASE("Owen's scrambling sends boxes to boxes, and flips each digit for itse
         const auto a = std::uint32_t(random.bits()), b = std::uint32_t(random.bits()) << (trial % 31) ^ a;
         const auto key = std::uint32_t(random.bits());
         INFO("digits that agree from the front on still agree, and the first that differs still differs");
-        CHECK(std::countr_zero(owen_scrambled(a, key) ^ owen_scrambled(b, key)) == std::countr_zero(a ^ b));
+        CHECK(std::countr_zero(owen_scramble(a, key) ^ owen_scramble(b, key)) == std::countr_zero(a ^ b));
     }
     // Digit d is flipped by chance alone, and by another chance below another digit before it.
     for (int digit = 0; digit < 12; ++digit)
@@ -44,7 +44,7 @@ TEST_CASE("Owen's scrambling sends boxes to boxes, and flips each digit for itse
             std::vector<int> flips(4, 0);
             for (int key = 0; key < 10'000; ++key) {
                 const auto bits = std::uint32_t(scatter(std::uint64_t(key)));
-                const auto flip = [&](std::uint32_t x) { return owen_scrambled(x, bits) >> digit & 1; };
+                const auto flip = [&](std::uint32_t x) { return owen_scramble(x, bits) >> digit & 1; };
                 ++flips[flip(0) * 2 + flip(1u << before)];
             }
             INFO("digit " << digit << " below a 0 and a 1 of digit " << before

@@ -21,7 +21,7 @@ Film photograph(const RenderSettings& wanted, SamplerKind kind, Filter filter, f
                 const std::function<vec3(vec2)>& world) {
     return render(wanted, [&](const Sample& sample) {
         Sampler sampler(kind, sample);
-        return world(picture_point(sample, sampler, filter, width));
+        return world(film_point(sample, sampler, filter, width));
     });
 }
 

@@ -20,7 +20,7 @@ Scene ball(vec3 albedo, Accel accel, bool lamps) {
     add_model(scene, file, 180);
     if (lamps)
         scene.quads = {{{-2, 1.2f, -2}, {4, 0.1f, 0}, {0, 0, 4}, add(scene.materials, emissive(vec3(5)))}};
-    prepare(scene);
+    build_bvhs(scene);
     return scene;
 }
 
@@ -29,7 +29,7 @@ Scene ball(vec3 albedo, Accel accel, bool lamps) {
 TEST_CASE("no light gets into a closed smooth mesh, from the sky, from a point or from an area") {
     for (const Accel accel : {Accel::brute, Accel::bvh, Accel::wide}) {
         const Scene scene = ball(vec3(0.9f), accel, true);
-        const AreaLights lights = area_lights(scene);
+        const AreaLights lights = collect_area_lights(scene);
         Random random(3);
         int bright = 0;
         for (int i = 0; i < 6000; ++i) {

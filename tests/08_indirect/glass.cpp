@@ -54,18 +54,18 @@ TEST_CASE("coloured glass absorbs by the length of the way within it") {
     const int clear = add(scene.materials, Dielectric{{1.0f, absorption}});
     const int mirror = add(scene.materials, Mirror{vec3(0.5f)});
     scene.spheres = {{{0, 1, -6}, 2, clear}, {{20, 1, -6}, 2, clear}, {{20, 1, -6}, 0.5f, mirror}};
-    prepare(scene);
+    build_bvhs(scene);
     Random random(59);
-    const Transport transport{.depth = 6, .roulette = false};
+    const PathSettings settings{.depth = 6, .roulette = false};
     const vec3 direction = 3.0f * normalize(vec3(0.1f, 0.1f, -1));
     const vec3 unit = normalize(direction);
     const float closest = length(vec3(0, 1, -6) - dot(vec3(0, 1, -6), unit) * unit);
     const float chord = 2 * std::sqrt(4 - closest * closest);
     INFO("the chord is " << chord << " long");
-    CHECK(radiance(scene, AreaLights{}, transport, {{0, 0, 0}, direction}, random) ==
+    CHECK(radiance(scene, AreaLights{}, settings, {{0, 0, 0}, direction}, random) ==
           approx(2.0f * exp(-absorption * chord), 1e-4f));
     INFO("in to the mirror in the middle, and back out: 2 * 1.5");
-    CHECK(radiance(scene, AreaLights{}, transport, {{20, 1, 0}, {0, 0, -2}}, random) ==
+    CHECK(radiance(scene, AreaLights{}, settings, {{20, 1, 0}, {0, 0, -2}}, random) ==
           approx(1.0f * exp(-absorption * 3.0f), 1e-4f));
 }
 
@@ -100,7 +100,7 @@ TEST_CASE("a coloured medium without end lets nothing through") {
 TEST_CASE("a lamp behind clear glass shines through it, once") {
     // A ball of index 1 around the lamp bends nothing: all its light is a caustic that light sampling cannot
     // see.
-    for (const Direct direct : all_ways) {
+    for (const DirectLighting direct : all_ways) {
         Scene scene;
         const int floor = add(scene.materials, Diffuse{vec3(0.6f)});
         const int lamp = add(scene.materials, emissive(vec3(5)));
@@ -109,9 +109,9 @@ TEST_CASE("a lamp behind clear glass shines through it, once") {
         scene.spheres = {{{0, 2.1f, 0}, 1.2f, add(scene.materials, Dielectric{{1.0f}})}};
         const vec3 position(0.3f, 0, 0.2f);
         const double want = 0.6 * 5 * form_factor(corners_of(scene.quads[0]), position, {0, 1, 0});
-        const Transport transport{3, true, direct, false};
-        const Mean mean = seen(scene, transport, {position + vec3(-3, 1, 1), vec3(3, -1, -1)}, 40'000);
-        INFO(words(transport) << ": " << mean.against(want));
+        const PathSettings settings{3, true, direct, false};
+        const Mean mean = seen(scene, settings, {position + vec3(-3, 1, 1), vec3(3, -1, -1)}, 40'000);
+        INFO(words(settings) << ": " << mean.against(want));
         CHECK(off(mean, want) < 4);
     }
 }

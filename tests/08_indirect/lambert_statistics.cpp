@@ -64,10 +64,10 @@ Case make_case(Random& random, int number) {
     return made;
 }
 
-Mean seen(Case& made, Accel accel, Direct direct) {
+Mean seen(Case& made, Accel accel, DirectLighting direct) {
     made.scene.accel = accel;
-    prepare(made.scene);
-    const AreaLights lights = area_lights(made.scene);
+    build_bvhs(made.scene);
+    const AreaLights lights = collect_area_lights(made.scene);
     Random random(11);
     Mean mean;
     for (int i = 0; i < 10000; ++i)
@@ -83,7 +83,8 @@ TEST_CASE("a lamp over a floor of any size sheds what Lambert's formula says, fo
         Case made = make_case(random, number);
         const double expected = form_factor(made.lamp, made.position, made.normal);
         for (const Accel accel : {Accel::brute, Accel::bvh, Accel::wide})
-            for (const Direct direct : {Direct::mis, Direct::lights, Direct::bounces}) {
+            for (const DirectLighting direct :
+                 {DirectLighting::mis, DirectLighting::light_sampling, DirectLighting::bsdf_sampling}) {
                 const Mean mean = seen(made, accel, direct);
                 INFO("case ", number, ", floor of ", made.floor_size, " m seen from ", made.eye_distance,
                      " m, accel ", int(accel), ", direct ", int(direct), ": ", mean.against(expected));

@@ -1,7 +1,7 @@
 // What the checks of lamps share: what a lamp sends to a place, by chance and by Lambert.
 #pragma once
 
-#include "08_indirect/area_light.h"
+#include "08_indirect/area_lights.h"
 #include "08_indirect/scene.h"
 #include "tests/08_indirect/step.h"
 
@@ -12,12 +12,12 @@ namespace rt {
 
 /// What the area lights of a scene send to a place: red, in units of pi.
 inline Mean received(Scene& scene, vec3 position, vec3 normal, int samples = 20'000, std::uint64_t seed = 3) {
-    prepare(scene);
-    const AreaLights lights = area_lights(scene);
+    build_bvhs(scene);
+    const AreaLights lights = collect_area_lights(scene);
     Random random(seed);
     Mean mean;
     for (int i = 0; i < samples; ++i)
-        mean.add(double(area_light(scene, lights, facing(position, normal), random).x / pi));
+        mean.add(double(sample_area_lights(scene, lights, facing(position, normal), random).x / pi));
     return mean;
 }
 

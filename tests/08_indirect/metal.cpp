@@ -12,9 +12,9 @@ using namespace rt;
 TEST_CASE("a metal without fuzz is a mirror") {
     for (const vec3 normal : normals) {
         const Hit hit = facing({1, 2, 3}, normal);
-        const vec3 direction = 1.7f * normalize(tangents(normal).u - 0.6f * normal);
+        const vec3 direction = 1.7f * normalize(make_basis(normal).u - 0.6f * normal);
         const auto ray =
-            metal_ray(Metal{vec3(0.5f)}, {vec3(1, 2, 3) - direction, direction}, hit, {0.3f, 0.8f});
+            scatter_metal(Metal{vec3(0.5f)}, {vec3(1, 2, 3) - direction, direction}, hit, {0.3f, 0.8f});
         REQUIRE(ray);
         INFO("normal " << to_text(normal));
         CHECK(normalize(ray->direction) == approx(normalize(reflect(direction, normal))));
@@ -28,15 +28,15 @@ TEST_CASE("a fuzzy metal strays evenly around the mirror's direction, and loses 
     for (const float fuzz : {0.2f, 0.7f, 1.0f})
         for (const float cosine : {0.1f, 0.45f, 0.95f}) {
             const vec3 normal = normals[5];
-            const vec3 along = tangents(normal).v;
+            const vec3 along = make_basis(normal).v;
             const vec3 direction = 2.5f * (std::sqrt(1 - cosine * cosine) * along - cosine * normal);
             const vec3 mirrored = normalize(reflect(direction, normal));
             const Hit hit = facing({1, 2, 3}, normal);
             Mean lost, height, squared;
             Random random(71);
             for (int i = 0; i < 20'000; ++i) {
-                const auto ray = metal_ray(Metal{vec3(1), fuzz}, {vec3(1, 2, 3) - direction, direction}, hit,
-                                           random.uniform2());
+                const auto ray = scatter_metal(Metal{vec3(1), fuzz}, {vec3(1, 2, 3) - direction, direction},
+                                               hit, random.uniform2());
                 lost.add(ray ? 0 : 1);
                 if (!ray) continue;
                 REQUIRE(dot(ray->direction, normal) > 0);

@@ -40,10 +40,10 @@ TEST_CASE("a coat of reflectivity k shows k of the mirror and 1 - k of what lies
         twice.quads = {{{-1, -1, -4}, {2, 0, 0.5f}, {0, 2, 0}, second}};
         const double one = double(k) * 0.9 + (1 - double(k)) * (2 + 0.4);
         const double two = 0.5 * 0.6 + 0.5 * one;
-        for (const Direct direct : all_ways) {
-            const Transport transport{3, true, direct, false};
+        for (const DirectLighting direct : all_ways) {
+            const PathSettings settings{3, true, direct, false};
             const Ray ray{{0, 0, 0}, {0.1f, 0.1f, -1}};
-            const Mean single = seen(once, transport, ray), both = seen(twice, transport, ray);
+            const Mean single = seen(once, settings, ray), both = seen(twice, settings, ray);
             INFO("k = " << k << ": " << single.against(one)
                         << "; k counted twice, as a weight and as a chance?");
             CHECK(off(single, one) < 4);
@@ -56,7 +56,7 @@ TEST_CASE("a coat of reflectivity k shows k of the mirror and 1 - k of what lies
 }
 
 TEST_CASE("a coated lamp lights its surroundings as if it were 1 - k as bright") {
-    for (const Direct direct : all_ways) {
+    for (const DirectLighting direct : all_ways) {
         Scene scene;
         const int floor = add(scene.materials, Diffuse{vec3(0.6f)});
         const int coat = add(scene.materials, Coated{0.25f, add(scene.materials, emissive(vec3(8)))});
@@ -65,9 +65,9 @@ TEST_CASE("a coated lamp lights its surroundings as if it were 1 - k as bright")
         // The mirror's half of a bounce goes to the sky, which is black, or past the lamp to the floor.
         const vec3 position(0.2f, 0, 0.3f);
         const double want = 0.6 * 6 * form_factor(corners_of(scene.quads[0]), position, {0, 1, 0});
-        const Transport transport{1, true, direct, false};
-        const Mean mean = seen(scene, transport, {position + vec3(-2, 1, 1), vec3(2, -1, -1)}, 40'000);
-        INFO(words(transport) << ": " << mean.against(want));
+        const PathSettings settings{1, true, direct, false};
+        const Mean mean = seen(scene, settings, {position + vec3(-2, 1, 1), vec3(2, -1, -1)}, 40'000);
+        INFO(words(settings) << ": " << mean.against(want));
         CHECK(off(mean, want) < 4);
     }
 }
@@ -80,15 +80,15 @@ TEST_CASE("the depth counts mirrors: k of them leave s^k, and one fewer leaves n
     scene.quads = {{{0, 0, -5}, {0, 3.2f, 0}, {0, 0, 10}, mirror},
                    {{1, 0, -5}, {0, 3.2f, 0}, {0, 0, 10}, mirror}};
     scene.sky = {vec3(2), vec3(2)};
-    prepare(scene);
+    build_bvhs(scene);
     for (const bool with_roulette : {false, true})
         for (const int depth : {0, 2, 3, 9}) {
             std::array<Mean, 2> mean;
             Random random(53);
             for (int i = 0; i < 4000; ++i) {
-                const Transport transport{depth, i % 2 == 0, all_ways[std::size_t(i % 3)], with_roulette};
+                const PathSettings settings{depth, i % 2 == 0, all_ways[std::size_t(i % 3)], with_roulette};
                 const vec3 got =
-                    radiance(scene, AreaLights{}, transport, {{0.5f, 0, 0}, {1, 1, 0.2f}}, random);
+                    radiance(scene, AreaLights{}, settings, {{0.5f, 0, 0}, {1, 1, 0.2f}}, random);
                 mean[0].add(double(got.x));
                 mean[1].add(double(got.y));
             }
@@ -101,7 +101,7 @@ TEST_CASE("the depth counts mirrors: k of them leave s^k, and one fewer leaves n
 
 TEST_CASE("a mirror on the wall doubles a lamp: its caustic is neither lost nor counted twice") {
     // The mirror wall x = -1 shows the lamp once more, with its tint, at x -> -2 - x.
-    for (const Direct direct : all_ways) {
+    for (const DirectLighting direct : all_ways) {
         Scene scene;
         const int floor = add(scene.materials, Diffuse{vec3(0.6f)});
         const int wall = add(scene.materials, Mirror{vec3(0.7f)});
@@ -115,10 +115,10 @@ TEST_CASE("a mirror on the wall doubles a lamp: its caustic is neither lost nor 
         const double straight = 0.6 * 5 * form_factor(corners_of(lamp), position, up);
         const double caustic = 0.6 * 5 * 0.7 * form_factor(image, position, up);
         const Ray ray{position + vec3(1, 3, 1), vec3(-1, -3, -1)};
-        const auto check = [&](const Transport& transport, double want) {
-            const Mean mean = seen(scene, transport, ray, 40'000);
-            INFO(words(transport) << ": " << mean.against(want) << "; " << straight << " directly, "
-                                  << caustic << " by the mirror");
+        const auto check = [&](const PathSettings& settings, double want) {
+            const Mean mean = seen(scene, settings, ray, 40'000);
+            INFO(words(settings) << ": " << mean.against(want) << "; " << straight << " directly, " << caustic
+                                 << " by the mirror");
             CHECK(off(mean, want) < 4);
         };
         check({2, true, direct, false}, straight + caustic);

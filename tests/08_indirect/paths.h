@@ -12,25 +12,26 @@
 namespace rt {
 
 /// The red light that comes back along a ray.
-inline Mean seen(Scene& scene, const Transport& transport, const Ray& ray, int samples = 20'000,
+inline Mean seen(Scene& scene, const PathSettings& settings, const Ray& ray, int samples = 20'000,
                  std::uint64_t seed = 3) {
-    prepare(scene);
-    const AreaLights lights = area_lights(scene);
+    build_bvhs(scene);
+    const AreaLights lights = collect_area_lights(scene);
     Random random(seed);
     Mean mean;
-    for (int i = 0; i < samples; ++i) mean.add(double(radiance(scene, lights, transport, ray, random).x));
+    for (int i = 0; i < samples; ++i) mean.add(double(radiance(scene, lights, settings, ray, random).x));
     return mean;
 }
 
-inline const std::array all_ways{Direct::mis, Direct::lights, Direct::bounces};
+inline const std::array all_ways{DirectLighting::mis, DirectLighting::light_sampling,
+                                 DirectLighting::bsdf_sampling};
 
-inline std::string words(const Transport& transport) {
-    return "depth " + std::to_string(transport.depth) + (transport.indirect ? "" : ", no indirect light") +
-           (transport.direct == Direct::mis      ? ", lights sampled and found"
-            : transport.direct == Direct::lights ? ", lights sampled"
-                                                 : ", lights found by chance") +
-           (transport.spread == Spread::cosine ? "" : ", uniform bounces") +
-           (transport.roulette ? ", roulette" : ", no roulette");
+inline std::string words(const PathSettings& settings) {
+    return "depth " + std::to_string(settings.depth) + (settings.indirect ? "" : ", no indirect light") +
+           (settings.direct == DirectLighting::mis              ? ", lights sampled and found"
+            : settings.direct == DirectLighting::light_sampling ? ", lights sampled"
+                                                                : ", lights found by chance") +
+           (settings.hemisphere_sampling == HemisphereSampling::cosine ? "" : ", uniform bounces") +
+           (settings.roulette ? ", roulette" : ", no roulette");
 }
 
 } // namespace rt

@@ -19,7 +19,7 @@ namespace {
 Scene ball_room(vec3 albedo, vec3 emission) {
     Scene scene;
     scene.spheres = {{{1, -0.5f, 3}, 2, add(scene.materials, Diffuse{albedo, emission})}};
-    prepare(scene);
+    build_bvhs(scene);
     return scene;
 }
 
@@ -31,15 +31,15 @@ TEST_CASE("a closed furnace reads Le (1 - rho^(k+1)) / (1 - rho) after k bounces
     // Without roulette there is no noise at all.
     const vec3 albedo(0.8f, 0.5f, 0.4f), emission(1, 1, 2.5f);
     const Scene scene = ball_room(albedo, emission);
-    const AreaLights lights = area_lights(scene);
-    for (const Direct direct : all_ways)
+    const AreaLights lights = collect_area_lights(scene);
+    for (const DirectLighting direct : all_ways)
         for (const int depth : {0, 1, 2, 5, 60}) {
-            const Transport transport{depth, true, direct, false};
+            const PathSettings settings{depth, true, direct, false};
             const vec3 want = emission * (1.0f - pow(albedo, vec3(float(depth + 1)))) / (1.0f - albedo);
             Random random(23);
             for (int i = 0; i < 30; ++i) {
-                const vec3 got = radiance(scene, lights, transport, in_ball_room, random);
-                INFO(words(transport) << ": expected " << to_text(want) << ", got " << to_text(got));
+                const vec3 got = radiance(scene, lights, settings, in_ball_room, random);
+                INFO(words(settings) << ": expected " << to_text(want) << ", got " << to_text(got));
                 INFO("0 at depth 0: the emission of the first hit; 1.2 times too bright or more: light "
                      "counted twice; "
                      "pi times: 1 / pi; one bounce more or less: where the depth is counted");
@@ -52,11 +52,11 @@ TEST_CASE("a closed furnace reads Le (1 - rho^(k+1)) / (1 - rho) after k bounces
 
 TEST_CASE("roulette leaves a furnace at Le / (1 - rho)") {
     const auto check = [](float rho, int depth, double want) {
-        for (const Direct direct : all_ways) {
+        for (const DirectLighting direct : all_ways) {
             Scene scene = ball_room(vec3(rho), vec3(1));
-            const Transport transport{depth, true, direct, true};
-            const Mean mean = seen(scene, transport, in_ball_room);
-            INFO("rho " << rho << ", " << words(transport) << ": " << mean.against(want)
+            const PathSettings settings{depth, true, direct, true};
+            const Mean mean = seen(scene, settings, in_ball_room);
+            INFO("rho " << rho << ", " << words(settings) << ": " << mean.against(want)
                         << "; too dark: survivors are to be divided by their probability");
             CHECK(off(mean, want) < 4);
         }
@@ -68,15 +68,15 @@ TEST_CASE("roulette leaves a furnace at Le / (1 - rho)") {
 
 TEST_CASE("without indirect light a furnace reads its own light and one bounce") {
     const Scene scene = ball_room(vec3(0.8f, 0.5f, 0.4f), vec3(1, 2, 3));
-    const AreaLights lights = area_lights(scene);
-    for (const Direct direct : all_ways)
+    const AreaLights lights = collect_area_lights(scene);
+    for (const DirectLighting direct : all_ways)
         for (const bool with_roulette : {false, true})
             for (const int depth : {0, 1, 7}) {
-                const Transport transport{depth, false, direct, with_roulette};
+                const PathSettings settings{depth, false, direct, with_roulette};
                 const vec3 want = vec3(1, 2, 3) * (depth == 0 ? vec3(1) : vec3(1.8f, 1.5f, 1.4f));
                 Random random(29);
-                const vec3 got = radiance(scene, lights, transport, in_ball_room, random);
-                INFO(words(transport));
+                const vec3 got = radiance(scene, lights, settings, in_ball_room, random);
+                INFO(words(settings));
                 CHECK(got == approx(want, 2e-4f));
             }
 }
@@ -85,7 +85,7 @@ TEST_CASE("a white ball in a white world cannot be seen") {
     Scene scene;
     scene.sky = {vec3(0.5f, 1, 2), vec3(0.5f, 1, 2)};
     scene.spheres = {{{1, 2, -3}, 2, add(scene.materials, Diffuse{vec3(1)})}};
-    prepare(scene);
+    build_bvhs(scene);
     Random random(31);
     for (int i = 0; i < 2000; ++i) {
         const vec3 aim =
@@ -112,7 +112,7 @@ TEST_CASE("nothing that is white, mirroring or clear can be seen in a white worl
                      {{2, 2, 0}, 0.9f, mirror},
                      {{-2, 2, 1}, 0.8f, coat}};
     scene.quads = {{{-3, 1, -3}, {6, 0.5f, 0}, {0, 4, 1}, white}};
-    prepare(scene);
+    build_bvhs(scene);
     Random random(37);
     for (int i = 0; i < 4000; ++i) {
         const vec3 aim =
@@ -154,11 +154,11 @@ TEST_CASE("slopes receive of a graded sky what is in front of them") {
 TEST_CASE("a lamp is as bright as its emission, with its own reflection of other light on top") {
     Scene scene;
     scene.quads = {{{-1, -1, -4}, {2, 0, 0.5f}, {0, 2, 0}, add(scene.materials, emissive(vec3(17, 12, 7)))}};
-    prepare(scene);
-    for (const Direct direct : all_ways)
+    build_bvhs(scene);
+    for (const DirectLighting direct : all_ways)
         for (const int depth : {0, 1, 5}) {
             Random random(41);
-            const vec3 got = radiance(scene, area_lights(scene), {.depth = depth, .direct = direct},
+            const vec3 got = radiance(scene, collect_area_lights(scene), {.depth = depth, .direct = direct},
                                       {{0, 0, 0}, {0.1f, 0.1f, -1}}, random);
             CHECK_MESSAGE(got == approx(vec3(17, 12, 7)),
                           "black: emission is to be added where the eye meets the lamp");
@@ -173,7 +173,7 @@ TEST_CASE("point lights light the first surface as they do in step 02") {
     scene.planes = {{{0, 0, 0}, normalize(vec3(0.1f, 1, 0.2f)), floor}, {{0, 0, -6}, {0, 0, 1}, tiles}};
     scene.spheres = {{{0, 1, 0}, 0.8f, ball}, {{2, 1.5f, -1}, 0.5f, ball}};
     scene.lights = {{{3, 4, 2}, {50, 40, 30}}, {{-4, 2, 1}, {5, 10, 20}}};
-    prepare(scene);
+    build_bvhs(scene);
     Random random(43);
     for (int i = 0; i < 3000; ++i) {
         const vec3 aim =
@@ -200,22 +200,22 @@ TEST_CASE("pictures and tiles give the walk their albedo, pictures their light t
     scene.sky = {vec3(1), vec3(1)};
     const int picture =
         add(scene.textures, make_texture(Bitmap{1, 1, {65535, 32896, 13107}})); // 255, 128 and 51 of 255
-    const int textured = add(scene.materials, Textured{picture, vec3(0.5f), vec3(3, 0, 1)});
+    const int textured = add(scene.materials, ImageTexture{picture, vec3(0.5f), vec3(3, 0, 1)});
     const Checkerboard checkerboard{vec3(0.7f), {0.2f, 0.1f, 0.3f}, 0.8f};
     Scene tiled = scene;
     tiled.planes = {{{0, -2, 0}, {0, 1, 0}, add(tiled.materials, checkerboard)}};
     scene.quads = {{{-1, -1, -4}, {2, 0, 0.5f}, {0, 2, 0}, textured}};
-    prepare(scene);
-    prepare(tiled);
+    build_bvhs(scene);
+    build_bvhs(tiled);
     Random random(47);
     for (int i = 0; i < 200; ++i) {
-        const Transport transport{1 + i % 3, true, all_ways[std::size_t(i % 3)], false};
+        const PathSettings settings{1 + i % 3, true, all_ways[std::size_t(i % 3)], false};
         const vec3 card =
-            radiance(scene, area_lights(scene), transport, {{0, 0, 0}, {0.1f, 0.1f, -1}}, random);
+            radiance(scene, collect_area_lights(scene), settings, {{0, 0, 0}, {0.1f, 0.1f, -1}}, random);
         REQUIRE(card == approx(vec3(3, 0, 1) + 0.5f * vec3(1, 0.2158605f, 0.0331048f)));
         // u along x and v along -z, from the plane's point.
         const Ray down{{0, 0, 0}, {0.1f * float(i % 20), -1, 0.07f * float(i % 13)}};
         const vec3 tile = evaluate(checkerboard, {2 * down.direction.x, -2 * down.direction.z}).albedo;
-        REQUIRE(radiance(tiled, AreaLights{}, transport, down, random) == approx(tile));
+        REQUIRE(radiance(tiled, AreaLights{}, settings, down, random) == approx(tile));
     }
 }

@@ -93,11 +93,11 @@ TEST_CASE("the Cornell box has the published walls, lamp and boxes") {
 TEST_CASE("the Cornell box is closed but for its front, and green is on the left of its picture") {
     Scene scene;
     const LookAt look_at = cornell(scene);
-    prepare(scene);
+    build_bvhs(scene);
     Random random(1);
     int through_the_front = 0;
     for (int i = 0; i < 20'000; ++i) {
-        const Ray ray{{278, 450, 200}, unit_vector(random.uniform2())};
+        const Ray ray{{278, 450, 200}, sample_uniform_sphere(random.uniform2())};
         const float t = -ray.origin.z / ray.direction.z;
         const vec3 front = at(ray, t);
         const bool open = t > 0 && front.x > 0 && front.x < 555 && front.y > 0 && front.y < 555;
@@ -128,9 +128,9 @@ TEST_CASE("the weekend's balls follow the published rule") {
     CHECK(look_at.fov == 20);
     CHECK(radiance(scene.sky, {0, 5, 0}) == approx(vec3(0.5f, 0.7f, 1)));
     CHECK(radiance(scene.sky, {3, 0, 1}) == approx(vec3(0.75f, 0.85f, 1)));
-    CHECK_MESSAGE(weekend_lens.aperture == approx(2 * 10 * std::tan(glm::radians(0.3f)), 1e-5f),
+    CHECK_MESSAGE(weekend_lens.aperture_diameter == approx(2 * 10 * std::tan(glm::radians(0.3f)), 1e-5f),
                   "2 f tan(.6 / 2)");
-    CHECK(weekend_lens.focus == 10);
+    CHECK(weekend_lens.focus_distance == 10);
     const std::vector<Sphere> balls = small_balls(scene);
     REQUIRE(scene.spheres.size() == balls.size() + 4);
     CHECK_MESSAGE(balls.size() <= 22 * 22, "one a cell");
@@ -173,8 +173,8 @@ TEST_CASE(
             REQUIRE((metal->fuzz >= 0 && metal->fuzz < 0.5f));
             fuzz.add(double(metal->fuzz));
             for (int k = 0; k < 3; ++k) {
-                REQUIRE((metal->albedo[k] >= 0.5f && metal->albedo[k] <= 1));
-                tint.add(double(metal->albedo[k]));
+                REQUIRE((metal->reflectance[k] >= 0.5f && metal->reflectance[k] <= 1));
+                tint.add(double(metal->reflectance[k]));
             }
         } else {
             ++found[2];
@@ -211,7 +211,7 @@ TEST_CASE("a list of balls becomes a scene with the same balls") {
         CHECK(scene.spheres[i].radius == list[i].radius);
     }
     CHECK(std::get<Diffuse>(material(0)).albedo == vec3(0.1f, 0.2f, 0.3f));
-    CHECK(std::get<Metal>(material(1)).albedo == vec3(0.4f, 0.5f, 0.6f));
+    CHECK(std::get<Metal>(material(1)).reflectance == vec3(0.4f, 0.5f, 0.6f));
     CHECK(std::get<Metal>(material(1)).fuzz == 0.25f);
     CHECK(std::get<Dielectric>(material(2)).interior.ior == 1.7f);
 }
@@ -219,13 +219,13 @@ TEST_CASE("a list of balls becomes a scene with the same balls") {
 TEST_CASE("the cat's room is closed, and the cat is in it") {
     Scene scene;
     const LookAt look_at = animal(scene);
-    prepare(scene);
+    build_bvhs(scene);
     CHECK(scene.mesh.triangles.size() >= 4000);
-    const Box cat = bounds(scene.mesh);
-    CHECK_MESSAGE(std::abs(cat.low.y) < 0.01f, "it sits on the floor");
+    const Aabb cat = bounds(scene.mesh);
+    CHECK_MESSAGE(std::abs(cat.min.y) < 0.01f, "it sits on the floor");
     Random random(2);
     for (int i = 0; i < 20'000; ++i) {
-        const Ray ray{look_at.from, unit_vector(random.uniform2())};
+        const Ray ray{look_at.from, sample_uniform_sphere(random.uniform2())};
         INFO("towards " << to_text(ray.direction));
         REQUIRE_MESSAGE(intersect(scene, ray), "light leaks out of the room");
     }

@@ -1,8 +1,8 @@
 // Facts about light that has been around, in scenes without a closed form: two ways to look for the same
 // light agree, and the way light goes can be turned round. z-tests with a fixed seed: a right renderer is
 // beyond |z| = 4 in one run of 16,000.
-#include "08_indirect/area_light.h"
-#include "08_indirect/bounce.h"
+#include "08_indirect/area_lights.h"
+#include "08_indirect/hemisphere.h"
 #include "08_indirect/radiance.h"
 #include "08_indirect/scene.h"
 #include "tests/08_indirect/lamps.h"
@@ -28,13 +28,13 @@ double apart(const Mean& a, const Mean& b) {
 
 using Channels = std::array<Mean, 3>;
 
-Channels channels_seen(const Scene& scene, const Transport& transport, const Ray& ray, int samples,
+Channels channels_seen(const Scene& scene, const PathSettings& settings, const Ray& ray, int samples,
                        std::uint64_t seed) {
-    const AreaLights lights = area_lights(scene);
+    const AreaLights lights = collect_area_lights(scene);
     Random random(seed);
     Channels mean;
     for (int i = 0; i < samples; ++i) {
-        const vec3 got = radiance(scene, lights, transport, ray, random);
+        const vec3 got = radiance(scene, lights, settings, ray, random);
         for (int k = 0; k < 3; ++k) mean[std::size_t(k)].add(double(got[k]));
     }
     return mean;
@@ -77,17 +77,18 @@ TEST_CASE("however lamps are looked for and bounces are spread, the picture is t
     // The best single test: an error in a cosine, a distance, an area, a density or a pi is in one of them
     // alone.
     Scene scene = oblique_scene();
-    prepare(scene);
+    build_bvhs(scene);
     for (const int depth : {1, 2, 5})
         for (const bool indirect : {true, false}) {
-            const Channels chance =
-                channels_seen(scene, {depth, indirect, Direct::bounces, false}, into_it, 150'000, 2);
-            for (const Direct direct : all_ways)
-                for (const Spread spread : {Spread::cosine, Spread::uniform}) {
-                    const Transport transport{depth, indirect, direct, false, spread};
-                    const Channels other = channels_seen(scene, transport, into_it, 100'000, 1);
+            const Channels chance = channels_seen(
+                scene, {depth, indirect, DirectLighting::bsdf_sampling, false}, into_it, 150'000, 2);
+            for (const DirectLighting direct : all_ways)
+                for (const HemisphereSampling hemisphere_sampling :
+                     {HemisphereSampling::cosine, HemisphereSampling::uniform}) {
+                    const PathSettings settings{depth, indirect, direct, false, hemisphere_sampling};
+                    const Channels other = channels_seen(scene, settings, into_it, 100'000, 1);
                     INFO("depth " << depth << ", indirect light " << std::string(indirect ? "on" : "off")
-                                  << ": " << words(transport)
+                                  << ": " << words(settings)
                                   << ", then by chance and the cosine; too bright: counted twice");
                     check_same(other, chance);
                 }
@@ -104,14 +105,14 @@ TEST_CASE("with mirrors, metal and glass, too, all ways agree: no caustic is los
         {{-1.1f, 0.6f, 0.4f}, 0.4f, add(scene.materials, Metal{{0.9f, 0.6f, 0.3f}, 0.4f})});
     scene.quads.push_back({{-2.2f, 0, -1}, {0.3f, 2.5f, 0.2f}, {0.2f, 0.1f, 3}, coat});
     scene.quads.push_back({{0.2f, 2.8f, 1.6f}, {0.7f, 0.2f, 0.3f}, {0.1f, 0.1f, 0.5f}, shiny_lamp});
-    prepare(scene);
+    build_bvhs(scene);
     for (const int depth : {2, 3, 6}) {
         const Channels chance =
-            channels_seen(scene, {depth, true, Direct::bounces, true}, into_it, 150'000, 4);
-        for (const Direct direct : {Direct::mis, Direct::lights}) {
-            const Transport transport{depth, true, direct, true};
-            const Channels asked = channels_seen(scene, transport, into_it, 100'000, 3);
-            INFO("depth " << depth << ": " << words(transport) << ", then by chance");
+            channels_seen(scene, {depth, true, DirectLighting::bsdf_sampling, true}, into_it, 150'000, 4);
+        for (const DirectLighting direct : {DirectLighting::mis, DirectLighting::light_sampling}) {
+            const PathSettings settings{depth, true, direct, true};
+            const Channels asked = channels_seen(scene, settings, into_it, 100'000, 3);
+            INFO("depth " << depth << ": " << words(settings) << ", then by chance");
             check_same(asked, chance);
         }
     }
@@ -119,8 +120,8 @@ TEST_CASE("with mirrors, metal and glass, too, all ways agree: no caustic is los
 
 TEST_CASE("roulette leaves the picture as it is") {
     Scene scene = oblique_scene();
-    prepare(scene);
-    for (const Direct direct : all_ways) {
+    build_bvhs(scene);
+    for (const DirectLighting direct : all_ways) {
         const Channels without = channels_seen(scene, {12, true, direct, false}, into_it, 50'000, 5);
         const Channels with = channels_seen(scene, {12, true, direct, true}, into_it, 50'000, 6);
         INFO("way " << int(direct)
@@ -133,11 +134,11 @@ TEST_CASE("roulette leaves the picture as it is") {
 TEST_CASE("roulette saves work: in a dim closed room most paths end long before the depth does") {
     Scene scene;
     scene.spheres = {{{1, 2, 3}, 2, add(scene.materials, Diffuse{vec3(0.4f), vec3(1)})}};
-    prepare(scene);
+    build_bvhs(scene);
     const auto rays = [&](bool with_roulette) {
         tally = {};
-        channels_seen(scene, {30, true, Direct::lights, with_roulette}, {{0.5f, 2, 3}, {1, 0.3f, -0.2f}}, 500,
-                      7);
+        channels_seen(scene, {30, true, DirectLighting::light_sampling, with_roulette},
+                      {{0.5f, 2, 3}, {1, 0.3f, -0.2f}}, 500, 7);
         return double(tally.rays);
     };
     const double full = rays(false), played = rays(true);
@@ -154,7 +155,7 @@ TEST_CASE("light and eye change places: between matte surfaces the same light ar
     scene.sky = {};
     for (Material& material : scene.materials)
         if (Diffuse* diffuse = std::get_if<Diffuse>(&material)) *diffuse = {{0.8f, 0.6f, 0.4f}};
-    prepare(scene);
+    build_bvhs(scene);
     const vec3 p(0.3f, 0.35f, 1.4f), q(2.2f, 1.9f, -0.9f);
     for (const int depth : {1, 4}) {
         const auto arriving = [&](vec3 eye, vec3 light, std::uint64_t seed) {
@@ -162,7 +163,7 @@ TEST_CASE("light and eye change places: between matte surfaces the same light ar
             Random random(seed);
             Channels mean;
             for (int i = 0; i < 250'000; ++i) {
-                const vec3 direction = light_point(Sphere{vec3(0), 1, 0}, random.uniform2()).normal;
+                const vec3 direction = sample_area(Sphere{vec3(0), 1, 0}, random.uniform2()).normal;
                 const vec3 got = radiance(scene, AreaLights{}, {.depth = depth}, {eye, direction}, random);
                 for (int k = 0; k < 3; ++k) mean[std::size_t(k)].add(double(got[k]));
             }
@@ -182,16 +183,19 @@ TEST_CASE("squares see each other by .1998249 across a cube and by .2000438 arou
         scene.quads = {opposite ? Quad{{0, 1, 0}, {1, 0, 0}, {0, 0, 1}, glow}
                                 : Quad{{0, 0, 0}, {0, 1, 0}, {0, 0, 1}, glow}};
         scene.planes = {{{0, 0, 0}, {0, 1, 0}, add(scene.materials, Diffuse{vec3(1)})}};
-        prepare(scene);
-        const AreaLights lights = area_lights(scene);
+        build_bvhs(scene);
+        const AreaLights lights = collect_area_lights(scene);
         Random random(9);
         for (int i = 0; i < 300'000; ++i) {
             const vec2 place = random.uniform2();
             const Ray ray{{place.x, 1e-3f, place.y}, {0, -1, 0}};
-            const vec3 chance = radiance(scene, lights, {1, true, Direct::bounces, false}, ray, random);
+            const vec3 chance =
+                radiance(scene, lights, {1, true, DirectLighting::bsdf_sampling, false}, ray, random);
             (opposite ? across : around).add(double(chance.x));
             if (opposite)
-                sampled.add(double(radiance(scene, lights, {1, true, Direct::lights, false}, ray, random).x));
+                sampled.add(double(
+                    radiance(scene, lights, {1, true, DirectLighting::light_sampling, false}, ray, random)
+                        .x));
         }
     }
     INFO("across, by chance: " << across.against(0.1998249));
@@ -213,17 +217,17 @@ TEST_CASE("A1 F12 = A2 F21 for lamps of different size") {
         Scene scene;
         add(scene.materials, emissive(vec3(1)));
         scene.quads = {lamp};
-        prepare(scene);
-        const AreaLights lights = area_lights(scene);
+        build_bvhs(scene);
+        const AreaLights lights = collect_area_lights(scene);
         Random random(seed);
         Mean mean;
         for (int i = 0; i < 100'000; ++i) {
-            const LightPoint place = light_point(receiver, random.uniform2());
+            const LightSample place = sample_area(receiver, random.uniform2());
             const vec3 normal =
                 dot(lamp.corner - place.position, place.normal) < 0 ? -place.normal : place.normal;
             const float error = position_error(place.position, place.position);
             const Hit hit{0, place.position, normal, normal, vec2(0), 0, false, error};
-            mean.add(double(area_light(scene, lights, hit, random).x) * double(area(receiver)));
+            mean.add(double(sample_area_lights(scene, lights, hit, random).x) * double(area(receiver)));
         }
         return mean;
     };
@@ -247,13 +251,13 @@ TEST_CASE(
         add_triangle(scene, corner(0), corner(1), corner(2), wall);
         add_triangle(scene, corner(0), corner(2), corner(3), wall);
     }
-    prepare(scene);
+    build_bvhs(scene);
     const Ray ray{{1, 0.7f, 1.5f}, {0.3f, -0.5f, 0.2f}};
-    for (const Transport& transport :
-         {Transport{25, true, Direct::mis, true}, Transport{25, true, Direct::lights, false},
-          Transport{25, true, Direct::bounces, true}}) {
-        const Channels mean = channels_seen(scene, transport, ray, 15'000, 12);
-        INFO(words(transport) << ", roulette: " << transport.roulette << ": " << mean[0].against(2));
+    for (const PathSettings& settings : {PathSettings{25, true, DirectLighting::mis, true},
+                                         PathSettings{25, true, DirectLighting::light_sampling, false},
+                                         PathSettings{25, true, DirectLighting::bsdf_sampling, true}}) {
+        const Channels mean = channels_seen(scene, settings, ray, 15'000, 12);
+        INFO(words(settings) << ", roulette: " << settings.roulette << ": " << mean[0].against(2));
         CHECK(off(mean[0], 2) < 4);
     }
 }
@@ -277,7 +281,8 @@ TEST_CASE("no path is negative or not a number, whatever the world is made of") 
             add(scene.materials, Coated{random.uniform(), int(random.uniform() * 3)});
             add(scene.materials,
                 Dielectric{{1 + 1.5f * random.uniform(), 2.0f * colour()}, {1 + random.uniform()}});
-            add(scene.materials, Textured{picture, colour(), random.uniform() < 0.3f ? colour() : vec3(0)});
+            add(scene.materials,
+                ImageTexture{picture, colour(), random.uniform() < 0.3f ? colour() : vec3(0)});
             add(scene.materials, Metal{colour(), random.uniform()});
         }
         const auto material = [&] { return int(random.uniform() * 28); };
@@ -294,13 +299,13 @@ TEST_CASE("no path is negative or not a number, whatever the world is made of") 
         scene.lights = {{cube(2), 10.0f * colour()}};
         if (seed % 4 == 0) scene.spheres.push_back({{0, 0, 0}, 6, 0}); // closed
         if (seed % 5 == 0) scene.quads.push_back(scene.quads[0]);      // twice in the same place
-        prepare(scene);
-        const AreaLights lights = area_lights(scene);
+        build_bvhs(scene);
+        const AreaLights lights = collect_area_lights(scene);
         for (int i = 0; i < 120; ++i) {
-            const Transport transport{i % 13, i % 5 != 0, all_ways[std::size_t(i % 3)], i % 2 != 0,
-                                      i % 7 < 4 ? Spread::cosine : Spread::uniform};
+            const PathSettings settings{i % 13, i % 5 != 0, all_ways[std::size_t(i % 3)], i % 2 != 0,
+                                        i % 7 < 4 ? HemisphereSampling::cosine : HemisphereSampling::uniform};
             const vec3 from = cube(3), direction = cube(1);
-            const vec3 got = radiance(scene, lights, transport, {from, direction}, random);
+            const vec3 got = radiance(scene, lights, settings, {from, direction}, random);
             const bool good = is_finite(got) && got.x >= 0 && got.y >= 0 && got.z >= 0;
             if (good) continue;
             INFO("scene " << seed << ", path " << i << " from " << to_text(from) << " towards "
@@ -321,10 +326,12 @@ TEST_CASE("light in a coloured medium is dimmed on its way, whether lamps are sa
     scene.spheres = {{{0, 0, 0}, 3, add(scene.materials, Dielectric{{1.0f, {0.6f, 0.2f, 0}}})}};
     scene.quads = {{{-1, -1, -1}, {2, 0.2f, 0}, {0, 0.1f, 2}, plate},
                    {{-0.5f, 1, -0.5f}, {1, 0, 0.1f}, {0, 0.2f, 1}, lamp}};
-    prepare(scene);
+    build_bvhs(scene);
     const Ray ray{{4, 1.4f, 4.1f}, {-4, -2.2f, -4}};
-    const Channels asked = channels_seen(scene, {2, true, Direct::lights, false}, ray, 60'000, 13);
-    const Channels chance = channels_seen(scene, {2, true, Direct::bounces, false}, ray, 120'000, 14);
+    const Channels asked =
+        channels_seen(scene, {2, true, DirectLighting::light_sampling, false}, ray, 60'000, 13);
+    const Channels chance =
+        channels_seen(scene, {2, true, DirectLighting::bsdf_sampling, false}, ray, 120'000, 14);
     INFO("first sampled, then by chance; the first brighter: the shadow ray forgets Beer and Lambert");
     check_same(asked, chance);
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "01_spheres/hit.h"
+#include "common/math/random.h"
 #include "tests/check.h"
 
 #include <algorithm>

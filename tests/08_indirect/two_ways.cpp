@@ -39,15 +39,16 @@ TEST_CASE("near a large lamp, however it is looked for, the same light arrives")
             const vec3 way = scene.spheres[0].center - position;
             factor = double(dot(normalize(way), up)) / double(dot(way, way));
         }
-        for (const Direct direct : all_ways)
-            for (const Spread spread : {Spread::cosine, Spread::uniform}) {
-                const Transport transport{1, true, direct, false, spread};
+        for (const DirectLighting direct : all_ways)
+            for (const HemisphereSampling hemisphere_sampling :
+                 {HemisphereSampling::cosine, HemisphereSampling::uniform}) {
+                const PathSettings settings{1, true, direct, false, hemisphere_sampling};
                 const Mean mean =
-                    seen(scene, transport, {position + vec3(-9, 0.5f, 0), vec3(9, -0.5f, 0)}, 40'000);
+                    seen(scene, settings, {position + vec3(-9, 0.5f, 0), vec3(9, -0.5f, 0)}, 40'000);
                 INFO(std::string(kind == 0   ? "quad, "
                                  : kind == 1 ? "triangle, "
                                              : "ball, ")
-                     << words(transport) << ": " << mean.against(0.6 * 3 * factor));
+                     << words(settings) << ": " << mean.against(0.6 * 3 * factor));
                 INFO("with both ways too bright or too dark: their shares do not add up, or one has "
                      "another's density");
                 CHECK(off(mean, 0.6 * 3 * factor) < 4);
@@ -57,7 +58,7 @@ TEST_CASE("near a large lamp, however it is looked for, the same light arrives")
 
 TEST_CASE("both ways together are less noisy than either, near a lamp and far from it") {
     // A large lamp just above the floor, where asking is bad, and a small one far above, where chance is bad.
-    const auto variance = [](bool both, Direct direct) {
+    const auto variance = [](bool both, DirectLighting direct) {
         Scene scene;
         scene.planes = {{{0, 0, 0}, {0, 1, 0}, add(scene.materials, Diffuse{vec3(0.6f)})}};
         scene.quads = {
@@ -67,12 +68,13 @@ TEST_CASE("both ways together are less noisy than either, near a lamp and far fr
             scene.quads.push_back(
                 {{-1, 4, 0}, {0.3f, 0, 0}, {0, 0, 0.3f}, add(scene.materials, emissive(vec3(40)))});
         }
-        const Transport transport{1, true, direct, false};
-        return seen(scene, transport, {vec3(-9, 0.2f, 0.3f), vec3(9.2f, -0.2f, 0)}, 40'000).variance();
+        const PathSettings settings{1, true, direct, false};
+        return seen(scene, settings, {vec3(-9, 0.2f, 0.3f), vec3(9.2f, -0.2f, 0)}, 40'000).variance();
     };
     for (const bool both : {false, true}) {
-        const double mis = variance(both, Direct::mis);
-        const double lights = variance(both, Direct::lights), bounces = variance(both, Direct::bounces);
+        const double mis = variance(both, DirectLighting::mis);
+        const double lights = variance(both, DirectLighting::light_sampling),
+                     bounces = variance(both, DirectLighting::bsdf_sampling);
         INFO("variance " << mis << " with both, " << lights << " asked, " << bounces << " by chance");
         CHECK(mis < 0.9 * lights);
         if (both) CHECK(mis < 0.9 * bounces);
@@ -81,16 +83,16 @@ TEST_CASE("both ways together are less noisy than either, near a lamp and far fr
 
 TEST_CASE("found by chance, a bright ball sends as much as when it is asked") {
     // The lamp is small and bright: what clamps its rare, large samples loses their light.
-    for (const Direct direct : all_ways) {
+    for (const DirectLighting direct : all_ways) {
         Scene scene;
         const int floor = add(scene.materials, Diffuse{vec3(0.6f)});
         scene.planes = {{{0, 0, 0}, normalize(vec3(0.2f, 1, -0.1f)), floor}};
         scene.spheres = {{{1, 2, -1.5f}, 0.3f, add(scene.materials, emissive(vec3(500)))}};
         const vec3 normal = scene.planes[0].normal, way(1, 2, -1.5f);
         const double want = 0.6 * 500 * 0.09 / double(dot(way, way)) * double(dot(normalize(way), normal));
-        const Transport transport{1, true, direct, false};
-        const Mean mean = seen(scene, transport, {{-3, 2, 2}, {3, -2, -2}}, 60'000);
-        INFO(words(transport) << ": " << mean.against(want));
+        const PathSettings settings{1, true, direct, false};
+        const Mean mean = seen(scene, settings, {{-3, 2, 2}, {3, -2, -2}}, 60'000);
+        INFO(words(settings) << ": " << mean.against(want));
         CHECK(off(mean, want) < 4);
     }
 }
@@ -113,15 +115,16 @@ TEST_CASE("triangles with Ke in a mesh's MTL are area lights on both sides") {
 
     Scene closed;
     add_model(closed, box, 30);
-    prepare(closed);
-    const AreaLights lights = area_lights(closed);
-    CHECK_MESSAGE(lights.list.size() == 12, "every triangle that glows is a light of its own");
+    build_bvhs(closed);
+    const AreaLights lights = collect_area_lights(closed);
+    CHECK_MESSAGE(lights.lights.size() == 12, "every triangle that glows is a light of its own");
     Random random(61);
     const Ray inside{{0.7f, 0.4f, 1.2f}, {0.3f, -0.5f, 0.2f}};
-    const vec3 chance = radiance(closed, lights, {60, true, Direct::bounces, false}, inside, random);
+    const vec3 chance =
+        radiance(closed, lights, {60, true, DirectLighting::bsdf_sampling, false}, inside, random);
     INFO("Ke 1, Kd .5, closed: Ke / (1 - Kd) = 2");
     CHECK(chance == approx(vec3(2, 4, 0), 1e-4f));
-    const Mean once = seen(closed, {1, true, Direct::lights, false}, inside);
+    const Mean once = seen(closed, {1, true, DirectLighting::light_sampling, false}, inside);
     INFO("lights sampled, one bounce: " << once.against(1.5));
     CHECK(off(once, 1.5) < 4);
 
@@ -129,10 +132,10 @@ TEST_CASE("triangles with Ke in a mesh's MTL are area lights on both sides") {
     add_model(open, lamp, 30);
     const std::vector<vec3> triangle{{-0.5f, 2, -0.5f}, {0.7f, 2.3f, -0.4f}, {0.1f, 2.1f, 0.8f}};
     const double want = 0.6 * 6 * form_factor(triangle, {0.4f, 0, -0.3f}, {0, 1, 0});
-    for (const Direct direct : all_ways) {
-        const Transport transport{1, true, direct, false};
-        const Mean mean = seen(open, transport, {{2.4f, 1, -1.3f}, {-2, -1, 1}}, 40'000);
-        INFO("under the lamp, " << words(transport) << ": " << mean.against(want));
+    for (const DirectLighting direct : all_ways) {
+        const PathSettings settings{1, true, direct, false};
+        const Mean mean = seen(open, settings, {{2.4f, 1, -1.3f}, {-2, -1, 1}}, 40'000);
+        INFO("under the lamp, " << words(settings) << ": " << mean.against(want));
         CHECK(off(mean, want) < 4);
     }
     const vec3 above(0.2f, 4, 0.1f);

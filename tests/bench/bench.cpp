@@ -43,7 +43,7 @@ TEST_CASE("all triangles face outward: their corners run round the normals of th
     const Mesh mesh = make_subject("10k").mesh;
     std::size_t turned = 0;
     for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i)
-        turned += dot(area_normal(corners(mesh, i)), dvec3(mesh.normals[mesh.triangles[i][0]])) <= 0;
+        turned += dot(area_normal(vertices(mesh, i)), dvec3(mesh.normals[mesh.triangles[i][0]])) <= 0;
     CHECK_MESSAGE(turned == 0, turned << " triangles are turned");
 }
 

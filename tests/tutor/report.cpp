@@ -110,7 +110,7 @@ Report good_report() {
     report.root = root;
     report.step = "08_indirect";
     report.question = "where does the light in the shadow come from?";
-    report.own_files = {"08_indirect/bounce.h", "08_indirect/area_light.h"};
+    report.own_files = {"08_indirect/hemisphere.h", "08_indirect/area_lights.h"};
     for (int i = 0; i < 74; ++i)
         report.checks.push_back(
             {"fact number " + std::to_string(i + 1) + " about light", "ok", 0.002 * i, {}});

@@ -35,15 +35,18 @@ struct Wish {
 /// A way to look for light, under the name that the table and the plot give it.
 struct Estimator {
     const char* name;
-    Transport transport;
+    PathSettings settings;
     int colour;
 };
 
-const std::vector<Estimator> estimators{
-    {"MIS", {}, 0},
-    {"lights", {.direct = Direct::lights}, 2},
-    {"bounces", {.direct = Direct::bounces}, 4},
-    {"book", {.direct = Direct::bounces, .roulette = false, .spread = Spread::uniform}, 1}};
+const std::vector<Estimator> estimators{{"MIS", {}, 0},
+                                        {"lights", {.direct = DirectLighting::light_sampling}, 2},
+                                        {"bounces", {.direct = DirectLighting::bsdf_sampling}, 4},
+                                        {"book",
+                                         {.direct = DirectLighting::bsdf_sampling,
+                                          .roulette = false,
+                                          .hemisphere_sampling = HemisphereSampling::uniform},
+                                         1}};
 
 const std::vector<std::string> samplers{"random", "stratified", "sobol"}; // as SamplerKind counts them
 
@@ -63,7 +66,7 @@ double processor_seconds() {
     return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
 }
 
-Image shoot(const Subject& subject, const Transport& transport, SamplerKind kind, int samples,
+Image shoot(const Subject& subject, const PathSettings& settings, SamplerKind kind, int samples,
             std::uint64_t seed, int threads) {
     RenderSettings picture;
     picture.width = int(subject.camera.resolution.x);
@@ -74,8 +77,8 @@ Image shoot(const Subject& subject, const Transport& transport, SamplerKind kind
     return render(picture,
                   [&](const Sample& sample) {
                       Sampler sampler(kind, sample);
-                      const vec2 point = picture_point(sample, sampler, Filter::gaussian, 1);
-                      return radiance(subject.scene, subject.lights, transport,
+                      const vec2 point = film_point(sample, sampler, Filter::gaussian, 1);
+                      return radiance(subject.scene, subject.lights, settings,
                                       camera_ray(subject.camera, point), sampler);
                   })
         .mean;
@@ -115,8 +118,8 @@ void find_truth(Subject& subject, int samples) {
 Subject make_subject(const std::string& name, const Wish& wish) {
     Subject subject{name, {}, {}, {}, {}};
     const LookAt look_at = name == "cornell" ? cornell(subject.scene) : room(subject.scene);
-    prepare(subject.scene);
-    subject.lights = area_lights(subject.scene);
+    build_bvhs(subject.scene);
+    subject.lights = collect_area_lights(subject.scene);
     subject.camera = make_camera(look_at, wish.size, wish.size);
     find_truth(subject, wish.truth);
     return subject;
@@ -156,7 +159,7 @@ Convergence measure(const Subject& subject, const Estimator& estimator, SamplerK
     Convergence result{samples, 0, 0, 0};
     for (int i = 0; i < repeats; ++i) {
         const double start = processor_seconds();
-        const Image got = shoot(subject, estimator.transport, kind, samples, std::uint64_t(i + 1), 1);
+        const Image got = shoot(subject, estimator.settings, kind, samples, std::uint64_t(i + 1), 1);
         result.seconds += (processor_seconds() - start) / repeats;
         result.rmse += squared_error(got, subject.truth) / repeats;
         result.relative += relative_error(got, subject.truth) / repeats;
@@ -177,8 +180,8 @@ std::vector<Series> measure(const Subject& subject, const Wish& wish) {
     std::vector<Series> all;
     for (const Estimator& estimator : estimators)
         for (std::size_t kind = 0; kind < samplers.size(); ++kind)
-            if (kind == 0 ||
-                estimator.transport.spread == Spread::cosine) // the book knows plain numbers only
+            if (kind == 0 || estimator.settings.hemisphere_sampling ==
+                                 HemisphereSampling::cosine) // the book knows plain numbers only
                 all.push_back(measure(subject, estimator, SamplerKind(kind), wish));
     return all;
 }

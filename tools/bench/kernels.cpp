@@ -1,10 +1,10 @@
 // The small parts of a renderer, each alone and over and over: Google Benchmark's rules of measurement.
 #include "02_shadows/point_light.h"
 #include "04_refraction/dielectric.h"
-#include "05_mesh_bvh/box.h"
+#include "05_mesh_bvh/aabb.h"
 #include "05_mesh_bvh/triangle.h"
 #include "06_textures/texture.h"
-#include "08_indirect/bounce.h"
+#include "08_indirect/hemisphere.h"
 #include "common/util/complain.h"
 #include "tools/compare/flip.h"
 #include "tools/bench/meshes.h"
@@ -27,7 +27,7 @@ std::vector<Ray> some_rays() {
     std::vector<Ray> rays;
     for (std::size_t i = 0; i < inputs; ++i) {
         const vec3 origin(random.uniform(), random.uniform(), random.uniform());
-        rays.push_back({origin - 0.5f, cosine_direction({0, 0, 1}, random.uniform2())});
+        rays.push_back({origin - 0.5f, sample_cosine_hemisphere({0, 0, 1}, random.uniform2())});
     }
     return rays;
 }
@@ -47,8 +47,8 @@ void box(benchmark::State& state) {
     const std::vector<Ray> rays = some_rays();
     std::vector<SlabRay> slabs;
     for (const Ray& ray : rays) slabs.push_back(slab_ray(ray));
-    const Box target{vec3(-0.5f, -0.5f, 1), vec3(0.5f, 0.5f, 2)};
-    repeat(state, [&](std::size_t i) { return entry(target, slabs[i], 0, infinity); });
+    const Aabb target{vec3(-0.5f, -0.5f, 1), vec3(0.5f, 0.5f, 2)};
+    repeat(state, [&](std::size_t i) { return intersect(target, slabs[i], 0, infinity); });
 }
 
 void triangle(benchmark::State& state) {
@@ -131,7 +131,7 @@ void bounce(benchmark::State& state) {
     std::vector<vec2> squares(inputs);
     for (vec2& u : squares) u = random.uniform2();
     const std::vector<Ray> rays = some_rays();
-    repeat(state, [&](std::size_t i) { return cosine_direction(rays[i].direction, squares[i]); });
+    repeat(state, [&](std::size_t i) { return sample_cosine_hemisphere(rays[i].direction, squares[i]); });
 }
 
 void camera(benchmark::State& state) {

@@ -34,15 +34,15 @@ inline void add_triangle(Mesh& mesh, std::uint32_t a, std::uint32_t b, std::uint
 }
 
 /// The six walls of a box, seen from inside.
-inline void add_room(Mesh& mesh, const Box& box) {
-    const vec3 size = box.high - box.low;
+inline void add_room(Mesh& mesh, const Aabb& box) {
+    const vec3 size = box.max - box.min;
     for (int axis = 0; axis < 3; ++axis) {
         for (int side = 0; side < 2; ++side) {
-            vec3 normal(0), u(0), v(0), corner = box.low;
+            vec3 normal(0), u(0), v(0), corner = box.min;
             normal[axis] = side == 0 ? 1.0f : -1.0f;
             u[(axis + 1 + side) % 3] = size[(axis + 1 + side) % 3];
             v[(axis + 2 - side) % 3] = size[(axis + 2 - side) % 3];
-            if (side == 1) corner[axis] = box.high[axis];
+            if (side == 1) corner[axis] = box.max[axis];
             const std::uint32_t a = add_vertex(mesh, corner, normal, {0, 0});
             const std::uint32_t b = add_vertex(mesh, corner + u, normal, {1, 0});
             const std::uint32_t c = add_vertex(mesh, corner + u + v, normal, {1, 1});
@@ -139,11 +139,11 @@ inline void trim(Mesh& mesh) {
 }
 
 /// The light is a square of a tenth of the ceiling's width in its middle.
-inline void furnish(Subject& subject, const Box& room) {
+inline void furnish(Subject& subject, const Aabb& room) {
     add_room(subject.mesh, room);
     trim(subject.mesh);
-    const vec3 size = room.high - room.low;
-    const vec3 top(middle(room).x, room.high.y - 0.002f * size.y, middle(room).z);
+    const vec3 size = room.max - room.min;
+    const vec3 top(centroid(room).x, room.max.y - 0.002f * size.y, centroid(room).z);
     subject.light_u = vec3(0.1f * size.x, 0, 0);
     subject.light_v = vec3(0, 0, 0.1f * size.z);
     subject.light_corner = top - (subject.light_u + subject.light_v) / 2.0f;
@@ -178,11 +178,11 @@ inline Subject animal(const std::string& name) {
     Subject subject;
     subject.name = name;
     const ObjFile file = read_obj(asset(name + ".obj"));
-    append(subject.mesh, file, std::vector<int>(file.material_list.size(), 0), 40);
-    const Box box = bounds(subject.mesh);
-    const vec3 center = middle(box);
-    const float r = length(box.high - box.low) / 2;
-    const vec3 floor(center.x, box.low.y - 0.001f * r, center.z);
+    append_model(subject.mesh, file, std::vector<int>(file.material_list.size(), 0), 40);
+    const Aabb box = bounds(subject.mesh);
+    const vec3 center = centroid(box);
+    const float r = length(box.max - box.min) / 2;
+    const vec3 floor(center.x, box.min.y - 0.001f * r, center.z);
     furnish(subject, {floor - r * vec3(2.5f, 0, 2.5f), floor + r * vec3(2.5f, 3, 2.5f)});
     subject.look_at = {.from = center + r * vec3(0.7f, 0.6f, 1.5f), .at = center, .fov = 50};
     return subject;

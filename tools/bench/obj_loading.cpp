@@ -114,7 +114,7 @@ TinyResult read_by_tinyobj(const std::string& path) {
 
 Mesh mesh_of(const ObjFile& file) {
     Mesh mesh;
-    append(mesh, file, std::vector<int>(file.material_list.size(), 0), 40);
+    append_model(mesh, file, std::vector<int>(file.material_list.size(), 0), 40);
     return mesh;
 }
 

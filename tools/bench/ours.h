@@ -39,7 +39,7 @@ inline bool any_hit(const Ours& ours, const Ray& ray) {
 inline Found brute_nearest(const Mesh& mesh, Ray ray) {
     Found found;
     for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-        const auto [a, b, c] = corners(mesh, i);
+        const auto [a, b, c] = vertices(mesh, i);
         if (const auto hit = intersect(a, b, c, ray)) {
             ray.t_max = hit->t;
             found = {hit->t, hit->u, hit->v, i};

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "02_shadows/spawn_ray.h"
-#include "08_indirect/bounce.h"
+#include "08_indirect/hemisphere.h"
 #include "common/math/random.h"
 #include "tools/bench/meshes.h"
 #include "tools/bench/ours.h"
@@ -45,11 +45,11 @@ inline RaySets make_rays(const Subject& subject, const Ours& ours, int size) {
     for (const Ray& ray : sets.primary) {
         const Found found = nearest(ours, ray);
         if (found.primitive == nothing) continue;
-        const vec3 outward = vec3(normalize(area_normal(corners(subject.mesh, found.primitive))));
+        const vec3 outward = vec3(normalize(area_normal(vertices(subject.mesh, found.primitive))));
         const vec3 normal = dot(ray.direction, outward) > 0 ? -outward : outward;
         const vec3 position = at(ray, found.t);
         const vec3 start = position + position_error(ray.origin, position) * normal;
-        sets.bounce.push_back({start, cosine_direction(normal, random.uniform2())});
+        sets.bounce.push_back({start, sample_cosine_hemisphere(normal, random.uniform2())});
         const vec2 u = random.uniform2();
         const vec3 way = subject.light_corner + u.x * subject.light_u + u.y * subject.light_v - start;
         if (dot(way, normal) > 0) sets.shadow.push_back({start, way, 0, 1});

@@ -36,9 +36,9 @@ bool occluded(const S& scene, const Ray& ray) {
 
 /// Builds the trees, from step 05 on.
 template <std::same_as<WatchedScene> S>
-void prepare(S& scene) {
+void build_bvhs(S& scene) {
     const bench::During build(bench::Phase::build, bench::Phase::scene);
-    prepare(static_cast<typename Plain<S>::type&>(scene));
+    build_bvhs(static_cast<typename Plain<S>::type&>(scene));
 }
 
 } // namespace rt

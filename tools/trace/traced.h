@@ -70,7 +70,8 @@ inline void say_hit(const Scene& scene, const Ray& ray, const std::optional<Hit>
     if (!hit) return say("  meets %s", "nothing");
     const auto& material = scene.materials[std::size_t(hit->material)];
     const std::string name = std::visit([](const auto& arm) { return name_of(arm); }, material);
-    say("  meets material %d, a %s, at t = %.6g%s", hit->material, name.c_str(), double(hit->t),
+    say("  meets material %d, %s %s, at t = %.6g%s", hit->material,
+        name.find_first_of("AEIOU") == 0 ? "an" : "a", name.c_str(), double(hit->t),
         hit->back_face ? ", from inside" : "");
     say("  point %s, normal %s, uv (%.4g %.4g)", place(scene, hit->position).c_str(),
         text(hit->shading_normal).c_str(), double(hit->uv.x), double(hit->uv.y));
@@ -119,9 +120,9 @@ inline vec3 radiance(const TracedScene& scene, const Ray& ray, int bounces_left,
 }
 #else
 template <UniformSource Source>
-vec3 radiance(const TracedScene& scene, const AreaLights& lights, const Transport& transport, const Ray& ray,
-              Source& source) {
-    return trace::below([&] { return radiance<TracedScene, Source>(scene, lights, transport, ray, source); });
+vec3 radiance(const TracedScene& scene, const AreaLights& lights, const PathSettings& settings,
+              const Ray& ray, Source& source) {
+    return trace::below([&] { return radiance<TracedScene, Source>(scene, lights, settings, ray, source); });
 }
 #endif
 

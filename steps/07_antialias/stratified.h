@@ -11,7 +11,7 @@ namespace rt {
 /// Sample `index` of `count` somewhere in its own cell of the unit square. All cells have the area 1 / count,
 /// for any count: floor(sqrt(count)) rows share the samples as evenly as they can, and each row is as high as
 /// its share.
-inline vec2 stratified_point(int index, int count, Random& random) {
+inline vec2 stratified_2d(int index, int count, Random& random) {
     //> find the row and column of the cell, then a random point in it
     const int rows = int(std::sqrt(float(count)));
     const int row = int((std::int64_t(index) * rows + rows - 1) / count);
@@ -25,7 +25,7 @@ inline vec2 stratified_point(int index, int count, Random& random) {
 }
 
 /// The same on a line: cell `index` of `count`.
-inline float stratified_number(int index, int count, Random& random) {
+inline float stratified_1d(int index, int count, Random& random) {
     return glm::min((float(index) + random.uniform()) / float(count), 0x1.fffffep-1f);
 }
 
@@ -33,18 +33,18 @@ inline float stratified_number(int index, int count, Random& random) {
 /// shifted bits are one-to-one below a power of two; what lands beyond `count` goes round again (cycle
 /// walking: Black and Rogaway 2002; for the samples of a pixel: Kensler 2013, "Correlated Multi-Jittered
 /// Sampling").
-constexpr int permuted(int index, int count, std::uint64_t key) {
+constexpr int permutation_element(int index, int count, std::uint64_t key) {
     const int bits = std::bit_width(std::uint32_t(count - 1));
     const std::uint32_t mask = (1u << bits) - 1;
-    std::uint32_t place = std::uint32_t(index);
+    std::uint32_t i = std::uint32_t(index);
     do {
         for (int round = 0; round < 5; ++round) {
             const auto part = std::uint32_t(std::rotr(key, 13 * round));
-            place = (place * (part | 1) + (part >> 8)) & mask;
-            place ^= place >> ((bits + 1) / 2);
+            i = (i * (part | 1) + (part >> 8)) & mask;
+            i ^= i >> ((bits + 1) / 2);
         }
-    } while (place >= std::uint32_t(count));
-    return int(place);
+    } while (i >= std::uint32_t(count));
+    return int(i);
 }
 
 } // namespace rt

@@ -1,7 +1,7 @@
 // Facts about stratified samples: their cells share the square evenly, and the orders in which pixels go
 // through cells are as random as can be. Seeds are fixed: right samples are beyond the limits of chi-square
 // in one run of 31,000 or more.
-#include "07_antialias/sample.h"
+#include "07_antialias/stratified.h"
 #include "tests/07_antialias/step.h"
 #include "tests/check.h"
 
@@ -28,7 +28,7 @@ std::vector<Cell> cells_of(int count) {
     for (int i = 0; i < count; ++i) {
         Cell& cell = cells[std::size_t(i)];
         for (int repeat = 0; repeat < 300; ++repeat) {
-            const vec2 p = stratified_point(i, count, random);
+            const vec2 p = stratified_2d(i, count, random);
             cell.low = min(cell.low, p);
             cell.high = max(cell.high, p);
         }
@@ -82,7 +82,7 @@ TEST_CASE("no stratified point reaches 1, however many samples a pixel has") {
     Random random(5);
     int outside = 0;
     for (int repeat = 0; repeat < 400'000; ++repeat) {
-        const vec2 p = stratified_point(count - 1, count, random);
+        const vec2 p = stratified_2d(count - 1, count, random);
         outside += !(p.x >= 0 && p.x < 1 && p.y >= 0 && p.y < 1);
     }
     CHECK_MESSAGE(outside == 0,
@@ -116,7 +116,7 @@ TEST_CASE("a permutation reaches every place once, for any count and key") {
         for (std::uint64_t key = 1; key <= 20; ++key) {
             std::vector<int> visits(std::size_t(count), 0);
             for (int i = 0; i < count; ++i) {
-                const int place = permuted(i, count, scatter(key));
+                const int place = permutation_element(i, count, scatter(key));
                 REQUIRE(place >= 0);
                 REQUIRE(place < count);
                 ++visits[std::size_t(place)];
@@ -134,8 +134,8 @@ TEST_CASE("over the keys, any two samples are sent to any two places equally oft
         const int second = (first + 1) % count;
         for (int key = 0; key < 40 * count * count; ++key) {
             const std::uint64_t bits = scatter(std::uint64_t(key) << 8 | n);
-            const auto place = std::size_t(permuted(first, count, bits));
-            ++found[place * n + std::size_t(permuted(second, count, bits))];
+            const auto place = std::size_t(permutation_element(first, count, bits));
+            ++found[place * n + std::size_t(permutation_element(second, count, bits))];
         }
         std::vector<int> off_diagonal;
         for (std::size_t i = 0; i < n * n; ++i)

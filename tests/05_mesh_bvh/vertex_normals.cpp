@@ -89,7 +89,7 @@ TEST_CASE("a hundred thousand faces may meet in one point") {
     const auto seconds = [&] {
         const std::clock_t start = std::clock();
         Mesh mesh;
-        append(mesh, file, {0}, 40);
+        append_model(mesh, file, {0}, 40);
         CHECK(mesh.triangles.size() == std::size_t(count));
         return double(std::clock() - start) / CLOCKS_PER_SEC;
     };
@@ -134,7 +134,7 @@ TEST_CASE("a model that is placed anew is where it is placed, wherever its file 
     ObjFile file = empty_file();
     add_triangle(file, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
     file.origin = dvec3(5e5, 0, 5e6);
-    place(file, 2, 0, {1, 2, 3});
+    transform(file, 2, 0, {1, 2, 3});
     CHECK(file.origin == dvec3(0));
     CHECK(file.positions[1] == approx({3, 2, 3}));
 }

@@ -1,6 +1,6 @@
-// The stage on which a model is shown that nobody has seen before.
+// The framing of a model that nobody has seen before.
 #include "05_mesh_bvh/scene.h"
-#include "05_mesh_bvh/stage.h"
+#include "05_mesh_bvh/framing.h"
 #include "common/cli/options.h"
 #include "common/math/random.h"
 #include "tests/check.h"
@@ -27,23 +27,23 @@ struct Temporary {
 } // namespace
 
 TEST_CASE("the stage shows all of any model, in a picture of any shape") {
-    const Box boxes[] = {{{-1, -1, -1}, {1, 1, 1}},
-                         {{3, 0, -7}, {4, 50, -6.5f}},
-                         {{-100, 5, 0}, {300, 6, 2}},
-                         {{1e-4f, 1e-4f, 0}, {2e-4f, 3e-4f, 1e-4f}},
-                         {{1e4f, 1e4f, 1e4f}, {1.1e4f, 1.2e4f, 1.3e4f}},
-                         {{0, 0, 0}, {1, 1, 0}},
-                         {{5, 5, 5}, {5, 5, 5}}};
-    for (const Box& box : boxes) {
+    const Aabb boxes[] = {{{-1, -1, -1}, {1, 1, 1}},
+                          {{3, 0, -7}, {4, 50, -6.5f}},
+                          {{-100, 5, 0}, {300, 6, 2}},
+                          {{1e-4f, 1e-4f, 0}, {2e-4f, 3e-4f, 1e-4f}},
+                          {{1e4f, 1e4f, 1e4f}, {1.1e4f, 1.2e4f, 1.3e4f}},
+                          {{0, 0, 0}, {1, 1, 0}},
+                          {{5, 5, 5}, {5, 5, 5}}};
+    for (const Aabb& box : boxes) {
         for (const float aspect : {0.3f, 1.0f, 1.6f, 4.0f}) {
-            INFO("box ", box.low, " to ", box.high, ", aspect ", aspect);
-            const Stage stage = stage_for(box, aspect);
-            const LookAt& look_at = stage.look_at;
+            INFO("box ", box.min, " to ", box.max, ", aspect ", aspect);
+            const Framing framing = frame_model(box, aspect);
+            const LookAt& look_at = framing.look_at;
             const Camera camera = make_camera(look_at, int(1000 * aspect), 1000);
             float reach = 0;
             for (int i = 0; i < 8; ++i) {
-                const vec3 corner{i & 1 ? box.low.x : box.high.x, i & 2 ? box.low.y : box.high.y,
-                                  i & 4 ? box.low.z : box.high.z};
+                const vec3 corner{i & 1 ? box.min.x : box.max.x, i & 2 ? box.min.y : box.max.y,
+                                  i & 4 ? box.min.z : box.max.z};
                 const vec3 p = corner - camera.origin;
                 const float depth = dot(p, camera.forward);
                 REQUIRE_MESSAGE(depth > 0, "the corner is before the camera");
@@ -54,14 +54,14 @@ TEST_CASE("the stage shows all of any model, in a picture of any shape") {
                 CHECK(std::abs(y) <= 1);
                 reach = std::max({reach, std::abs(x), std::abs(y)});
             }
-            if (box.low != box.high) CHECK_MESSAGE(reach > 0.2f, "and it is not lost in the distance");
-            const float under = box.low.y - stage.floor.y, size = std::max(length(box.high - box.low), 1.0f);
+            if (box.min != box.max) CHECK_MESSAGE(reach > 0.2f, "and it is not lost in the distance");
+            const float under = box.min.y - framing.floor.y, size = std::max(length(box.max - box.min), 1.0f);
             CHECK_MESSAGE(under > 0, "a floor of the model's own lies above it");
             CHECK(under < 1e-3f * size);
-            CHECK(stage.lamp.y > box.high.y);
-            CHECK(look_at.from.y > middle(box).y);
-            const float squared = dot(stage.lamp - middle(box), stage.lamp - middle(box));
-            CHECK(stage.lamp_scale / squared == approx(1, 0.01f));
+            CHECK(framing.key_light.y > box.max.y);
+            CHECK(look_at.from.y > centroid(box).y);
+            const float squared = dot(framing.key_light - centroid(box), framing.key_light - centroid(box));
+            CHECK(framing.intensity_scale / squared == approx(1, 0.01f));
         }
     }
 }
@@ -70,14 +70,14 @@ TEST_CASE("a user's model stands on a floor under a lamp, or alone if it is to b
     const Temporary file("v 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
     for (const bool bare : {false, true}) {
         Options options("05_mesh_bvh", "?", {});
-        const ModelKnobs knobs(options);
+        const ModelOptions knobs(options);
         const std::string path = file.path.string();
         std::vector<const char*> arguments = {"05_mesh_bvh", "--mesh", path.c_str()};
         if (bare) arguments.push_back("--bare");
         REQUIRE(options.parse(int(arguments.size()), arguments.data()));
         Scene scene;
-        const LookAt look_at = stage_model(scene, knobs, 1.6f);
-        prepare(scene);
+        const LookAt look_at = add_framed_model(scene, knobs, 1.6f);
+        build_bvhs(scene);
         CHECK(scene.mesh.triangles.size() == 4);
         CHECK(scene.planes.empty() == bare);
         CHECK(scene.lights.empty() == bare);

@@ -1,13 +1,12 @@
-// Facts about lamps by themselves: the points picked on them, and the shares of two ways to find them.
+// Facts about lights by themselves: the points that are picked on them.
 // Noisy facts are z-tests with a fixed seed: a right renderer is beyond |z| = 4 in one run of 16,000.
-#include "08_indirect/area_light.h"
+#include "08_indirect/light_sample.h"
 #include "tests/08_indirect/step.h"
 #include "tests/check.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <vector>
 
 using namespace rt;
@@ -21,7 +20,7 @@ TEST_CASE("the points of a light are spread evenly over it") {
         std::vector<double> found(64), even(64, 500);
         Random random(17);
         for (int i = 0; i < 32'000; ++i)
-            found[std::size_t(std::clamp(cell_of(light_point(light, random.uniform2()).position), 0, 63))] +=
+            found[std::size_t(std::clamp(cell_of(sample_area(light, random.uniform2()).position), 0, 63))] +=
                 1;
         return chi_square(found, even);
     };
@@ -57,7 +56,7 @@ TEST_CASE("the points of a light lie on it, and face along its normal") {
     Random random(19);
     for (int i = 0; i < 3000; ++i) {
         const vec2 u = random.uniform2();
-        const LightPoint a = light_point(quad, u), b = light_point(triangle, u), c = light_point(sphere, u);
+        const LightSample a = sample_area(quad, u), b = sample_area(triangle, u), c = sample_area(sphere, u);
         const vec2 uv = quad_uv(quad, dvec3(a.position));
         REQUIRE(min(uv, 1.0f - uv) == approx(max(min(uv, 1.0f - uv), vec2(0))));
         REQUIRE(dot(a.position - quad.corner, quad_normal) == approx(0));
@@ -70,16 +69,4 @@ TEST_CASE("the points of a light lie on it, and face along its normal") {
     }
     INFO("mean |cosine| of uniform directions, 1/2: " << height.against(0.5));
     CHECK(off(height, 0.5) < 4);
-}
-
-TEST_CASE("the shares of two ways to find the same light add up to one") {
-    const float most = std::numeric_limits<float>::max();
-    for (const float p : {1e-30f, 1e-6f, 0.3f, 1.0f, 7.0f, 1e9f, most})
-        for (const float q : {1e-30f, 1e-6f, 0.2f, 1.0f, 50.0f, 1e9f, most}) {
-            INFO("densities " << p << " and " << q << ": " << share(p, q) << " and " << share(q, p));
-            REQUIRE(share(p, q) + share(q, p) == approx(1, 1e-6f));
-        }
-    CHECK_MESSAGE(share(3, 0) == 1, "alone, a way gets all");
-    CHECK_MESSAGE(share(3, 1) == approx(0.9f), "3^2 / (3^2 + 1^2); 3/4 would be the balance heuristic");
-    CHECK(share(1e-3f, most) == 0);
 }

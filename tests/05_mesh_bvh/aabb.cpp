@@ -1,5 +1,5 @@
 // Where a ray enters a box, rays in the plane of a face or along an edge among them; and how a box grows.
-#include "05_mesh_bvh/box.h"
+#include "05_mesh_bvh/aabb.h"
 #include "tests/05_mesh_bvh/rays.h"
 #include "tests/check.h"
 
@@ -7,34 +7,34 @@ using namespace rt;
 
 namespace {
 
-const Box box_3x3x2 = {{-1, -2, 3}, {2, 1, 5}};
+const Aabb box_3x3x2 = {{-1, -2, 3}, {2, 1, 5}};
 
 } // namespace
 
 TEST_CASE("a ray enters a box where it first touches one of its faces") {
     Random random(21);
     for (int i = 0; i < 20000; ++i) {
-        const Ray ray{middle(box_3x3x2) + 6.0f * random_direction(random), random_direction(random)};
+        const Ray ray{centroid(box_3x3x2) + 6.0f * random_direction(random), random_direction(random)};
         // Independent of slabs: meet the plane of each face and see whether the point lies within the face.
         double first = 1e30, margin = 1e30;
         for (int axis = 0; axis < 3; ++axis) {
-            for (const vec3 corner : {box_3x3x2.low, box_3x3x2.high}) {
+            for (const vec3 corner : {box_3x3x2.min, box_3x3x2.max}) {
                 const double t =
                     (double(corner[axis]) - double(ray.origin[axis])) / double(ray.direction[axis]);
                 const glm::dvec3 p = glm::dvec3(ray.origin) + t * glm::dvec3(ray.direction);
                 double within = 1e30;
                 for (int other = 0; other < 3; ++other)
                     if (other != axis)
-                        within = std::min({within, p[other] - double(box_3x3x2.low[other]),
-                                           double(box_3x3x2.high[other]) - p[other]});
+                        within = std::min({within, p[other] - double(box_3x3x2.min[other]),
+                                           double(box_3x3x2.max[other]) - p[other]});
                 margin = std::min(margin, std::abs(within));
                 if (within > 0 && t > 0) first = std::min(first, t);
             }
         }
         if (margin < 1e-4) continue; // through an edge
-        const vec3 from_middle = abs(ray.origin - middle(box_3x3x2));
+        const vec3 from_middle = abs(ray.origin - centroid(box_3x3x2));
         const bool starts_inside = from_middle.x < 1.5f && from_middle.y < 1.5f && from_middle.z < 1;
-        const auto t = entry(box_3x3x2, ray);
+        const auto t = intersect(box_3x3x2, ray);
         if (t.has_value() != (first < 1e30)) {
             FAIL_CHECK("from ", ray.origin, " along ", ray.direction,
                        std::string(t ? ": it misses" : ": it meets the box"),
@@ -48,21 +48,21 @@ TEST_CASE("a ray enters a box where it first touches one of its faces") {
 
 TEST_CASE("a ray that starts inside a box enters it at t_min") {
     for (const vec3 direction : {vec3(1, 2, 3), vec3(-1, 2, -3), vec3(0, 0, -2), vec3(-0.0f, 1, 0)}) {
-        CHECK(entry(box_3x3x2, Ray{{0, 0, 4}, direction}) == 0.0f);
-        CHECK(entry(box_3x3x2, Ray{{0, 0, 4}, direction, 0.01f, 2}) == 0.01f);
+        CHECK(intersect(box_3x3x2, Ray{{0, 0, 4}, direction}) == 0.0f);
+        CHECK(intersect(box_3x3x2, Ray{{0, 0, 4}, direction, 0.01f, 2}) == 0.01f);
     }
 }
 
 TEST_CASE("a box behind the ray, beyond t_max or before t_min is not entered") {
     const vec3 direction{0.1f, -0.2f, -2}; // |d| about 2: it is in the box from t = 2.5 to 3.5
     const vec3 from{0, 0, 10};
-    CHECK(entry(box_3x3x2, Ray{from, direction}) == 2.5f);
-    CHECK_MESSAGE(!entry(box_3x3x2, Ray{from, -direction}), "it lies behind: only work, but much of it");
-    CHECK_MESSAGE(!entry(box_3x3x2, Ray{from, direction, 0, 2.4f}),
+    CHECK(intersect(box_3x3x2, Ray{from, direction}) == 2.5f);
+    CHECK_MESSAGE(!intersect(box_3x3x2, Ray{from, -direction}), "it lies behind: only work, but much of it");
+    CHECK_MESSAGE(!intersect(box_3x3x2, Ray{from, direction, 0, 2.4f}),
                   "it lies beyond t_max: only work, but much of it");
-    CHECK_MESSAGE(!entry(box_3x3x2, Ray{from, direction, 3.6f, 9}), "it lies before t_min");
-    CHECK(entry(box_3x3x2, Ray{from, direction, 0, 2.6f}).has_value());
-    CHECK(entry(box_3x3x2, Ray{from, direction, 3.4f, 9}) == 3.4f);
+    CHECK_MESSAGE(!intersect(box_3x3x2, Ray{from, direction, 3.6f, 9}), "it lies before t_min");
+    CHECK(intersect(box_3x3x2, Ray{from, direction, 0, 2.6f}).has_value());
+    CHECK(intersect(box_3x3x2, Ray{from, direction, 3.4f, 9}) == 3.4f);
 }
 
 TEST_CASE("a ray that stands still along an axis misses a box beside it") {
@@ -72,12 +72,12 @@ TEST_CASE("a ray that stands still along an axis misses a box beside it") {
                 for (const float side : {-1.0f, 1.0f}) {
                     vec3 direction{-0.3f, 0.4f, 0.2f};
                     direction[axis] = zero;
-                    vec3 origin = middle(box_3x3x2) - 4.0f * direction;
+                    vec3 origin = centroid(box_3x3x2) - 4.0f * direction;
                     INFO("axis ", axis, ", direction ", direction, ", t_max ", t_max, ", beside it at ",
                          side);
-                    CHECK(entry(box_3x3x2, Ray{origin, direction, 0, t_max}).has_value());
+                    CHECK(intersect(box_3x3x2, Ray{origin, direction, 0, t_max}).has_value());
                     origin[axis] += side * 2;
-                    CHECK_MESSAGE(!entry(box_3x3x2, Ray{origin, direction, 0, t_max}),
+                    CHECK_MESSAGE(!intersect(box_3x3x2, Ray{origin, direction, 0, t_max}),
                                   "an entry at infinity is none, even if the ray goes on for ever");
                 }
             }
@@ -88,16 +88,16 @@ TEST_CASE("a ray that stands still along an axis misses a box beside it") {
 TEST_CASE("a ray in the plane of a face hits the box, whatever the sign of its zero") {
     for (int axis = 0; axis < 3; ++axis) {
         for (const float zero : {0.0f, -0.0f}) {
-            for (const vec3 corner : {box_3x3x2.low, box_3x3x2.high}) {
+            for (const vec3 corner : {box_3x3x2.min, box_3x3x2.max}) {
                 for (const vec3 oblique : {vec3(0.3f, 0.5f, -0.4f), vec3(-0.3f, 0.2f, 0.7f)}) {
                     vec3 direction = oblique;
                     direction[axis] = zero;
-                    vec3 origin = middle(box_3x3x2);
+                    vec3 origin = centroid(box_3x3x2);
                     origin[axis] = corner[axis];
                     INFO("axis ", axis, ", direction ", direction, ", plane at ", corner[axis]);
-                    CHECK_MESSAGE(entry(box_3x3x2, Ray{origin - 8.0f * direction, direction}).has_value(),
+                    CHECK_MESSAGE(intersect(box_3x3x2, Ray{origin - 8.0f * direction, direction}).has_value(),
                                   "0 * infinity is NaN: compare so that it changes nothing");
-                    CHECK(entry(box_3x3x2, Ray{origin, direction}) == 0.0f);
+                    CHECK(intersect(box_3x3x2, Ray{origin, direction}) == 0.0f);
                 }
             }
         }
@@ -111,12 +111,12 @@ TEST_CASE("a ray along an edge of a box hits it") {
             vec3 origin, direction;
             origin[axis] = -20;
             direction[axis] = 2;
-            origin[next] = i & 1 ? box_3x3x2.low[next] : box_3x3x2.high[next];
-            origin[last] = i & 2 ? box_3x3x2.low[last] : box_3x3x2.high[last];
+            origin[next] = i & 1 ? box_3x3x2.min[next] : box_3x3x2.max[next];
+            origin[last] = i & 2 ? box_3x3x2.min[last] : box_3x3x2.max[last];
             direction[next] = i & 4 ? 0.0f : -0.0f;
             direction[last] = i & 8 ? 0.0f : -0.0f;
             INFO("from ", origin, " along ", direction);
-            CHECK(entry(box_3x3x2, Ray{origin, direction}) == (box_3x3x2.low[axis] + 20) / 2);
+            CHECK(intersect(box_3x3x2, Ray{origin, direction}) == (box_3x3x2.min[axis] + 20) / 2);
         }
     }
 }
@@ -129,48 +129,48 @@ TEST_CASE("a ray that is aimed at a corner of a box is not lost by rounding") {
         const vec3 corner = {i & 1 ? low.x : high.x, i & 2 ? low.y : high.y, i & 4 ? low.z : high.z};
         const vec3 from =
             corner + 3.0f * random_direction(random); // most touch the box there and nowhere else
-        lost += !entry({low, high}, Ray{from, corner - from}).has_value();
+        lost += !intersect(Aabb{low, high}, Ray{from, corner - from}).has_value();
     }
     CHECK_MESSAGE(lost == 0, "of 100,000: in and out are a rounding apart there, so widen the box a little");
 }
 
 TEST_CASE("a box without thickness is hit") {
     for (int axis = 0; axis < 3; ++axis) {
-        Box flat_box = box_3x3x2;
-        flat_box.high[axis] = flat_box.low[axis];
+        Aabb flat_box = box_3x3x2;
+        flat_box.max[axis] = flat_box.min[axis];
         Random random(23);
         int lost = 0, invented = 0;
         for (int i = 0; i < 1000; ++i) {
-            const vec3 target = mix(flat_box.low, flat_box.high, 0.001f + 0.998f * random_point(random));
+            const vec3 target = mix(flat_box.min, flat_box.max, 0.001f + 0.998f * random_point(random));
             vec3 origin = target + 3.0f * random_direction(random);
-            lost += !entry(flat_box, Ray{origin, target - origin}).has_value();
-            invented += entry(flat_box, Ray{origin, target - origin, 0, 0.99f}).has_value();
+            lost += !intersect(flat_box, Ray{origin, target - origin}).has_value();
+            invented += intersect(flat_box, Ray{origin, target - origin, 0, 0.99f}).has_value();
         }
         INFO("flat along axis ", axis);
-        CHECK_MESSAGE(lost == 0, "a floor or a wall lies in such a box: in <= out, not <");
+        CHECK_MESSAGE(lost == 0, "a floor or a wall lies in such a box: t_near <= t_far, not <");
         CHECK(invented == 0);
         vec3 head_on{0};
         head_on[axis] = -2;
-        CHECK(entry(flat_box, Ray{middle(flat_box) - 3.0f * head_on, head_on}) == 3.0f);
+        CHECK(intersect(flat_box, Ray{centroid(flat_box) - 3.0f * head_on, head_on}) == 3.0f);
     }
 }
 
 TEST_CASE("a box grows to hold points and boxes, and an empty one holds nothing") {
-    Box box;
+    Aabb box;
     CHECK(half_area(box) == 0);
-    grow(box, vec3(1, 5, -2));
-    CHECK(box.low == vec3(1, 5, -2));
-    CHECK(box.high == vec3(1, 5, -2));
+    extend(box, vec3(1, 5, -2));
+    CHECK(box.min == vec3(1, 5, -2));
+    CHECK(box.max == vec3(1, 5, -2));
     CHECK(half_area(box) == 0);
-    grow(box, vec3(3, 2, 2));
-    CHECK(box.low == vec3(1, 2, -2));
-    CHECK(box.high == vec3(3, 5, 2));
-    CHECK(middle(box) == vec3(2, 3.5f, 0));
+    extend(box, vec3(3, 2, 2));
+    CHECK(box.min == vec3(1, 2, -2));
+    CHECK(box.max == vec3(3, 5, 2));
+    CHECK(centroid(box) == vec3(2, 3.5f, 0));
     CHECK_MESSAGE(half_area(box) == 26, "2 x 3 x 4: 6 + 12 + 8; 24 would be the volume");
-    grow(box, Box{});
-    CHECK(box.low == vec3(1, 2, -2));
-    CHECK(box.high == vec3(3, 5, 2));
-    grow(box, Box{{0, 3, -5}, {2, 9, 1}});
-    CHECK(box.low == vec3(0, 2, -5));
-    CHECK(box.high == vec3(3, 9, 2));
+    extend(box, Aabb{});
+    CHECK(box.min == vec3(1, 2, -2));
+    CHECK(box.max == vec3(3, 5, 2));
+    extend(box, Aabb{{0, 3, -5}, {2, 9, 1}});
+    CHECK(box.min == vec3(0, 2, -5));
+    CHECK(box.max == vec3(3, 9, 2));
 }

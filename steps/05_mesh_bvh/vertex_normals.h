@@ -14,31 +14,31 @@
 namespace rt {
 
 /// Twice the area, along the outward normal. In double: the squares of small numbers vanish in float.
-inline dvec3 area_normal(const std::array<vec3, 3>& corner) {
-    const dvec3 first(corner[0]);
-    return cross(dvec3(corner[1]) - first, dvec3(corner[2]) - first);
+inline dvec3 area_normal(const std::array<vec3, 3>& vertices) {
+    const dvec3 a(vertices[0]);
+    return cross(dvec3(vertices[1]) - a, dvec3(vertices[2]) - a);
 }
 
 /// Numbers things 0, 1, 2 ... and finds those again that it has met: a hash table whose entries are chained.
-struct Numbering {
+struct IndexMap {
     static constexpr std::uint32_t none = 0xffffffff;
-    std::vector<std::uint32_t> newest; ///< by hash: the last thing numbered that has it,
-    std::vector<std::uint32_t> older;  ///< by number: the one before it, and so on
+    std::vector<std::uint32_t> heads; ///< by hash: the last thing numbered that has it,
+    std::vector<std::uint32_t> next;  ///< by number: the one before it, and so on
 
-    explicit Numbering(std::size_t size) : newest(std::bit_ceil(size), none) {}
+    explicit IndexMap(std::size_t size) : heads(std::bit_ceil(size), none) {}
 
     /// `same(n)` tells whether thing n is this one. Equal things must come with equal hashes.
     template <typename Same>
     std::uint32_t operator()(std::uint64_t hash, const Same& same) {
-        std::uint32_t& head = newest[hash & (newest.size() - 1)];
-        for (std::uint32_t n = head; n != none; n = older[n])
+        std::uint32_t& head = heads[hash & (heads.size() - 1)];
+        for (std::uint32_t n = head; n != none; n = next[n])
             if (same(n)) return n;
-        older.push_back(head);
-        return head = std::uint32_t(older.size() - 1);
+        next.push_back(head);
+        return head = std::uint32_t(next.size() - 1);
     }
 };
 
-inline std::uint64_t hash(vec3 v) {
+inline std::uint64_t hash_vec3(vec3 v) {
     std::uint64_t h = 0;
     for (int i = 0; i < 3; ++i) {
         h = (h ^ std::bit_cast<std::uint32_t>(v[i] + 0.0f)) * 0x9e3779b97f4a7c15; // -0 + 0 is 0, as -0 == 0
@@ -48,91 +48,92 @@ inline std::uint64_t hash(vec3 v) {
 }
 
 /// Corners of triangles (number 3 t + k for corner k of triangle t) by the point where they meet.
-struct Meetings {
+struct VertexCorners {
     std::vector<std::uint32_t> corner; ///< those of one point side by side, in ascending order
     std::vector<std::uint32_t> end;    ///< one a point: where its corners end and the next one's begin
 };
 
 /// Points count as one if their coordinates are equal, since many files repeat them for every face.
-inline Meetings meetings(const ObjFile& file) {
-    Numbering numbering(file.positions.size());
+inline VertexCorners corners_by_vertex(const ObjFile& file) {
+    IndexMap position_map(file.positions.size());
     std::vector<vec3> points;
     std::vector<std::uint32_t> point; // one a position
     for (const vec3 p : file.positions) {
-        point.push_back(numbering(hash(p), [&](std::uint32_t n) { return points[n] == p; }));
+        point.push_back(position_map(hash_vec3(p), [&](std::uint32_t n) { return points[n] == p; }));
         if (point.back() == points.size()) points.push_back(p);
     }
-    const auto corners = std::uint32_t(3 * file.triangles.size());
+    const auto corner_count = std::uint32_t(3 * file.triangles.size());
     const auto point_of = [&](std::uint32_t c) {
         return point[std::size_t(file.triangles[c / 3][c % 3].position)];
     };
-    Meetings meet{std::vector<std::uint32_t>(corners), std::vector<std::uint32_t>(points.size() + 1)};
-    for (std::uint32_t c = 0; c < corners; ++c) ++meet.end[point_of(c) + 1]; // how many,
-    std::partial_sum(meet.end.begin(), meet.end.end(), meet.end.begin());    // where they begin,
-    for (std::uint32_t c = 0; c < corners; ++c)
-        meet.corner[meet.end[point_of(c)]++] = c; // and where they end
-    meet.end.pop_back();
-    return meet;
+    VertexCorners corners{std::vector<std::uint32_t>(corner_count),
+                          std::vector<std::uint32_t>(points.size() + 1)};
+    for (std::uint32_t c = 0; c < corner_count; ++c) ++corners.end[point_of(c) + 1]; // how many,
+    std::partial_sum(corners.end.begin(), corners.end.end(), corners.end.begin());   // where they begin,
+    for (std::uint32_t c = 0; c < corner_count; ++c)
+        corners.corner[corners.end[point_of(c)]++] = c; // and where they end
+    corners.end.pop_back();
+    return corners;
 }
 
 /// Parts the corners of each point by the smoothing groups of their triangles; corners of group 0 are each
 /// alone.
-inline Meetings parted(Meetings meet, const std::vector<int>& groups) {
-    if (groups.empty()) return meet;
-    const auto group = [&](std::uint32_t i) { return groups[meet.corner[i] / 3]; };
+inline VertexCorners split_by_smoothing_group(VertexCorners corners, const std::vector<int>& groups) {
+    if (groups.empty()) return corners;
+    const auto group = [&](std::uint32_t i) { return groups[corners.corner[i] / 3]; };
     std::vector<std::uint32_t> end;
-    for (std::uint32_t begin = 0; const std::uint32_t all : meet.end) {
-        std::ranges::stable_sort(meet.corner.begin() + begin, meet.corner.begin() + all, {},
+    for (std::uint32_t begin = 0; const std::uint32_t all : corners.end) {
+        std::ranges::stable_sort(corners.corner.begin() + begin, corners.corner.begin() + all, {},
                                  [&](std::uint32_t corner) { return groups[corner / 3]; });
         for (std::uint32_t i = begin + 1; i <= all; ++i)
             if (i == all || group(i) == 0 || group(i) != group(i - 1)) end.push_back(i);
         begin = all;
     }
-    meet.end = std::move(end);
-    return meet;
+    corners.end = std::move(end);
+    return corners;
 }
 
 /// The faces that meet in a point, as area normals: for each the sum of those, itself among them, that differ
-/// from it by no more than the angle `crease`, in radians.
-inline std::vector<dvec3> smooth_sums(const std::vector<dvec3>& faces, float crease) {
+/// from it by no more than the angle `crease_angle`, in radians.
+inline std::vector<dvec3> smoothed_normals_at_vertex(const std::vector<dvec3>& faces, float crease_angle) {
     const dvec3 all = std::accumulate(faces.begin(), faces.end(), dvec3(0));
-    const double half = (std::cos(crease / 2) + 1e-5) * length(all);
-    const auto near_all = [&](dvec3 face) { return dot(face, all) > half * length(face); };
-    if (std::ranges::all_of(faces, near_all)) // none differs by half from their sum: no two by more than all
-        return std::vector<dvec3>(faces.size(), all);
+    const double min_dot_all = (std::cos(crease_angle / 2) + 1e-5) * length(all);
+    const auto within_half_crease = [&](dvec3 face) { return dot(face, all) > min_dot_all * length(face); };
+    // None differs by half from their sum: no two by more than all.
+    if (std::ranges::all_of(faces, within_half_crease)) return std::vector<dvec3>(faces.size(), all);
 
     std::vector<double> lengths;
     for (const dvec3 face : faces) lengths.push_back(length(face));
     std::vector<dvec3> sums(faces.size());
     for (std::size_t i = 0; i < faces.size(); ++i) {
-        const double least = std::cos(crease) * lengths[i];
+        const double min_dot = std::cos(crease_angle) * lengths[i];
         dvec3 sum(0);
         for (std::size_t j = 0; j < faces.size(); ++j)
-            if (dot(faces[i], faces[j]) >= least * lengths[j]) sum += faces[j];
+            if (dot(faces[i], faces[j]) >= min_dot * lengths[j]) sum += faces[j];
         sums[i] = sum;
     }
     return sums;
 }
 
 /// A normal for each corner of each triangle of a file that gives none. Faces that meet in a point are
-/// smoothed together, weighted by area, unless they differ by more than `crease` degrees: so a ball is round
+/// smoothed together, weighted by area, unless they differ by more than `crease_angle` degrees: so a ball is round
 /// and a cube keeps its edges; or unless the file puts them into different smoothing groups, or into none.
-inline std::vector<std::array<vec3, 3>> smooth_normals(const ObjFile& file, float crease) {
+inline std::vector<std::array<vec3, 3>> smooth_normals(const ObjFile& file, float crease_angle) {
     const auto face = [&](std::uint32_t t) {
         const auto& [a, b, c] = file.triangles[t];
         return area_normal({file.positions[std::size_t(a.position)], file.positions[std::size_t(b.position)],
                             file.positions[std::size_t(c.position)]});
     };
-    const Meetings meet = parted(meetings(file), file.smoothing_groups);
+    const VertexCorners corners = split_by_smoothing_group(corners_by_vertex(file), file.smoothing_groups);
     std::vector<std::array<vec3, 3>> normals(file.triangles.size());
     std::vector<dvec3> faces;
-    for (std::uint32_t begin = 0; const std::uint32_t end : meet.end) {
+    for (std::uint32_t begin = 0; const std::uint32_t end : corners.end) {
         faces.clear();
-        for (std::uint32_t i = begin; i < end; ++i) faces.push_back(face(meet.corner[i] / 3));
-        const std::vector<dvec3> sums = smooth_sums(faces, glm::radians(crease));
+        for (std::uint32_t i = begin; i < end; ++i) faces.push_back(face(corners.corner[i] / 3));
+        const std::vector<dvec3> sums = smoothed_normals_at_vertex(faces, glm::radians(crease_angle));
         for (std::uint32_t i = begin; i < end; ++i) {
             const dvec3 sum = sums[i - begin];
-            normals[meet.corner[i] / 3][meet.corner[i] % 3] =
+            normals[corners.corner[i] / 3][corners.corner[i] % 3] =
                 vec3(normalize(length(sum) > 0 ? sum : faces[i - begin]));
         }
         begin = end;

@@ -1,6 +1,6 @@
-// Facts about bounces: how they are spread over the directions above a surface, and what roulette leaves.
+// Facts about bounces: how they are spread over the directions above a surface.
 // Noisy facts are z-tests with a fixed seed: a right renderer is beyond |z| = 4 in one run of 16,000.
-#include "08_indirect/bounce.h"
+#include "08_indirect/hemisphere.h"
 #include "tests/08_indirect/step.h"
 #include "tests/check.h"
 
@@ -17,7 +17,7 @@ TEST_CASE("two tangents and the normal stand at right angles, for every normal")
     for (int i = 0; i < 1000; ++i)
         all.push_back(normalize(vec3(random.uniform(), random.uniform(), random.uniform()) - 0.5f));
     for (const vec3 n : all) {
-        const Tangents pair = tangents(n);
+        const OrthonormalBasis pair = make_basis(n);
         const vec3 u = pair.u, v = pair.v;
         INFO("normal " << to_text(n) << " has tangents " << to_text(u) << " and " << to_text(v));
         INFO("NaN at (0, 0, -1): a cross product with the normal itself, or a division by 1 + z");
@@ -36,7 +36,7 @@ TEST_CASE("a bounce has unit length and leaves above the surface") {
         std::vector<vec2> all{{0, 0}, {0, most}, {most, 0}, {most, most}, {0.5f, 0.25f}};
         for (int i = 0; i < 2000; ++i) all.push_back(random.uniform2());
         for (const vec2 u : all) {
-            const vec3 direction = cosine_direction(normal, u);
+            const vec3 direction = sample_cosine_hemisphere(normal, u);
             INFO("normal " << to_text(normal) << ", u " << to_text(u) << ", direction "
                            << to_text(direction));
             REQUIRE(length(direction) == approx(1));
@@ -51,9 +51,9 @@ TEST_CASE("bounces crowd around the normal by Lambert's cosine") {
         std::vector<double> found(10), even(10, 2000);
         Random random(3);
         for (int i = 0; i < 20'000; ++i) {
-            const float c = dot(cosine_direction(normal, random.uniform2()), normal);
+            const float c = dot(sample_cosine_hemisphere(normal, random.uniform2()), normal);
             cosine.add(double(c));
-            inverse.add(c > 0.02f ? 1 / double(cosine_pdf(c)) : 0);
+            inverse.add(c > 0.02f ? 1 / double(cosine_hemisphere_pdf(c)) : 0);
             found[std::size_t(std::clamp(int(c * c * 10), 0, 9))] += 1;
         }
         INFO("normal " << to_text(normal));
@@ -75,8 +75,8 @@ TEST_CASE("the mean of 1/pdf over all bounces is 2 pi") {
     const int steps = 400'000;
     const vec3 normal = normals[4];
     for (int i = 0; i < steps; ++i) {
-        const vec3 direction = cosine_direction(normal, {(float(i) + 0.5f) / float(steps), 0.37f});
-        sum += 1 / double(cosine_pdf(dot(direction, normal))) / steps;
+        const vec3 direction = sample_cosine_hemisphere(normal, {(float(i) + 0.5f) / float(steps), 0.37f});
+        sum += 1 / double(cosine_hemisphere_pdf(dot(direction, normal))) / steps;
     }
     INFO("pi would be a pdf without its pi, 2 pi the right one");
     CHECK(float(sum) == approx(2 * pi, 2e-3f));
@@ -90,7 +90,7 @@ TEST_CASE("the declared density of bounces is that of the bounces") {
         std::vector<double> found(cosines * angles), expected(cosines * angles);
         Random random(5);
         for (int i = 0; i < samples; ++i) {
-            const vec3 direction = cosine_direction(normal, random.uniform2());
+            const vec3 direction = sample_cosine_hemisphere(normal, random.uniform2());
             const int row = std::clamp(int(dot(direction, normal) * cosines), 0, cosines - 1);
             found[std::size_t(row * angles + int(azimuth(normal, direction) * angles))] += 1;
         }
@@ -99,7 +99,7 @@ TEST_CASE("the declared density of bounces is that of the bounces") {
                 for (int i = 0; i < 100; ++i) {
                     const float c = (float(row) + (float(i) + 0.5f) / 100) / cosines;
                     expected[std::size_t(row * angles + angle)] +=
-                        samples * double(cosine_pdf(c)) * 2 * double(pi) / angles / cosines / 100;
+                        samples * double(cosine_hemisphere_pdf(c)) * 2 * double(pi) / angles / cosines / 100;
                 }
         double total = 0;
         for (const double cell : expected) total += cell / samples;
@@ -109,8 +109,8 @@ TEST_CASE("the declared density of bounces is that of the bounces") {
                        << ": a sampler with the density of another one, or an uneven azimuth");
         CHECK(chi_square(found, expected) < 163.3);
     }
-    CHECK_MESSAGE(cosine_pdf(-0.4f) == 0, "no bounce goes below the surface");
-    CHECK(cosine_pdf(0.4f) == approx(0.4f / pi));
+    CHECK_MESSAGE(cosine_hemisphere_pdf(-0.4f) == 0, "no bounce goes below the surface");
+    CHECK(cosine_hemisphere_pdf(0.4f) == approx(0.4f / pi));
 }
 
 TEST_CASE("bounces go as often to the left as to the right") {
@@ -120,7 +120,7 @@ TEST_CASE("bounces go as often to the left as to the right") {
         Mean with_height;
         Random random(7);
         for (int i = 0; i < 24'000; ++i) {
-            const vec3 direction = cosine_direction(normal, random.uniform2());
+            const vec3 direction = sample_cosine_hemisphere(normal, random.uniform2());
             const double turn = azimuth(normal, direction);
             found[std::size_t(turn * 24)] += 1;
             with_height.add(std::cos(2 * double(pi) * turn) * double(dot(direction, normal)));
@@ -132,46 +132,12 @@ TEST_CASE("bounces go as often to the left as to the right") {
     }
 }
 
-TEST_CASE("roulette leaves the mean of what a path carries unchanged") {
-    for (const vec3 carried :
-         {vec3(0.2f, 0.05f, 0.1f), vec3(0.02f), vec3(0.5f, 0.9f, 0.1f), vec3(1), vec3(1.3f)}) {
-        std::array<Mean, 3> mean;
-        Random random(11);
-        for (int i = 0; i < 50'000; ++i) {
-            const vec3 left = roulette(carried, random).value_or(vec3(0));
-            for (int k = 0; k < 3; ++k) mean[std::size_t(k)].add(double(left[k]));
-        }
-        for (int k = 0; k < 3; ++k) {
-            INFO("channel " << k << ": " << mean[std::size_t(k)].against(double(carried[k]))
-                            << "; too low: what goes on is to be divided by the probability that it does");
-            CHECK(off(mean[std::size_t(k)], double(carried[k])) < 4);
-        }
-    }
-}
-
-TEST_CASE("roulette ends dim paths oftener than bright ones, and black ones at once") {
-    Random random(13);
-    const auto survivors = [&](vec3 carried) {
-        int count = 0;
-        for (int i = 0; i < 10'000; ++i) count += roulette(carried, random).has_value();
-        return count;
-    };
-    const int dim = survivors(vec3(0.05f)), middle = survivors(vec3(0.1f, 0.4f, 0.3f)),
-              bright = survivors(vec3(0.8f));
-    INFO("of 10,000 paths " << dim << " dim, " << middle << " middling and " << bright
-                            << " bright ones went on");
-    CHECK(dim < middle);
-    CHECK(middle < bright);
-    CHECK_MESSAGE(dim < 2000, "hardly any path ends: roulette saves no work");
-    CHECK(survivors(vec3(0)) == 0);
-}
-
 TEST_CASE("unit vectors go to all sides alike, uniform bounces to all sides above the surface") {
     const int samples = 40'000;
     std::array<Mean, 3> mean, square;
     Random random(67);
     for (int i = 0; i < samples; ++i) {
-        const vec3 direction = unit_vector(random.uniform2());
+        const vec3 direction = sample_uniform_sphere(random.uniform2());
         REQUIRE(length(direction) == approx(1));
         for (int k = 0; k < 3; ++k) {
             mean[std::size_t(k)].add(double(direction[k]));
@@ -188,7 +154,7 @@ TEST_CASE("unit vectors go to all sides alike, uniform bounces to all sides abov
     for (const vec3 normal : {normals[4], normals[2], normals[8]}) {
         std::vector<double> found(96), even(96, samples / 96.0);
         for (int i = 0; i < samples; ++i) {
-            const vec3 direction = bounce_direction(Spread::uniform, normal, random.uniform2());
+            const vec3 direction = sample_hemisphere(HemisphereSampling::uniform, normal, random.uniform2());
             const float cosine = dot(direction, normal);
             REQUIRE_MESSAGE(cosine >= 0, "below the surface");
             const int row = std::clamp(int(cosine * 8), 0, 7);
@@ -197,7 +163,8 @@ TEST_CASE("unit vectors go to all sides alike, uniform bounces to all sides abov
         INFO("normal " << to_text(normal) << ": by the cosine would crowd around the normal");
         CHECK(chi_square(found, even) < 163.3);
     }
-    CHECK_MESSAGE(bounce_pdf(Spread::uniform, 0.3f) == approx(1 / (2 * pi)), "2 pi directions, all alike");
-    CHECK(bounce_pdf(Spread::uniform, -0.3f) == 0);
-    CHECK(bounce_pdf(Spread::cosine, 0.3f) == cosine_pdf(0.3f));
+    CHECK_MESSAGE(hemisphere_pdf(HemisphereSampling::uniform, 0.3f) == approx(1 / (2 * pi)),
+                  "2 pi directions, all alike");
+    CHECK(hemisphere_pdf(HemisphereSampling::uniform, -0.3f) == 0);
+    CHECK(hemisphere_pdf(HemisphereSampling::cosine, 0.3f) == cosine_hemisphere_pdf(0.3f));
 }

@@ -1,6 +1,6 @@
 // Facts about a lens: where its rays start, where they meet, and how wide a point out of focus becomes.
 // Noisy facts are z-tests with a fixed seed: a right renderer is beyond |z| = 4 in one run of 16,000.
-#include "07_antialias/lens.h"
+#include "07_antialias/thin_lens.h"
 #include "tests/check.h"
 
 #include <array>
@@ -36,7 +36,7 @@ TEST_CASE("points of the disk are spread evenly by area, and even points stay ev
     Mean x, y, xy, difference, square, fourth;
     Random random(3);
     for (int i = 0; i < 100'000; ++i) {
-        const vec2 p = disk_point(random.uniform2());
+        const vec2 p = sample_disk_concentric(random.uniform2());
         const double r2 = double(dot(p, p));
         REQUIRE(r2 <= 1 + 1e-6);
         x.add(double(p.x)), y.add(double(p.y)), xy.add(double(p.x * p.y));
@@ -55,31 +55,32 @@ TEST_CASE("points of the disk are spread evenly by area, and even points stay ev
     for (const vec2 u :
          {vec2(0.2f, 0.3f), vec2(0.9f, 0.6f), vec2(0.55f, 0.95f), vec2(0.4f, 0.1f), vec2(0.05f, 0.5f)}) {
         const float h = 1 / 256.0f;
-        const vec2 right = disk_point(u + vec2(h, 0)) - disk_point(u - vec2(h, 0));
-        const vec2 up = disk_point(u + vec2(0, h)) - disk_point(u - vec2(0, h));
+        const vec2 right = sample_disk_concentric(u + vec2(h, 0)) - sample_disk_concentric(u - vec2(h, 0));
+        const vec2 up = sample_disk_concentric(u + vec2(0, h)) - sample_disk_concentric(u - vec2(0, h));
         INFO("around " << to_text(u));
         CHECK((right.x * up.y - right.y * up.x) / (4 * h * h) == approx(pi, 2e-3f));
     }
-    CHECK(disk_point(vec2(0.5f)) == vec2(0));
+    CHECK(sample_disk_concentric(vec2(0.5f)) == vec2(0));
 }
 
 TEST_CASE("a lens without width is the pinhole, bit by bit") {
     for (const vec2 pixel : {vec2(0), vec2(300, 200), vec2(17.3f, 391.8f)})
         for (const vec2 u : grid()) {
-            const Ray ray = lens_ray(camera, {0, 3}, pixel, u), pinhole = camera_ray(camera, pixel);
+            const Ray ray = thin_lens_ray(camera, {0, 3}, pixel, u), pinhole = camera_ray(camera, pixel);
             CHECK(ray.origin == pinhole.origin);
             CHECK(ray.direction == pinhole.direction);
         }
     Sampler asked(SamplerKind::sobol, Sample{1, 2, 3, 16, Random(1, 2, 3, 4), 4}), untouched = asked;
-    CHECK(picture_ray(camera, {0, 3}, vec2(9), asked).direction == camera_ray(camera, vec2(9)).direction);
+    CHECK(sample_camera_ray(camera, {0, 3}, vec2(9), asked).direction ==
+          camera_ray(camera, vec2(9)).direction);
     CHECK_MESSAGE(asked.uniform() == untouched.uniform(), "a pinhole asks for no numbers");
 }
 
 TEST_CASE("rays start all over the lens, at right angles to the line of sight") {
-    const Lens lens{0.8f, 3};
+    const ThinLens lens{0.8f, 3};
     float farthest = 0;
     for (const vec2 u : grid()) {
-        const Ray ray = lens_ray(camera, lens, {17.3f, 391.8f}, u);
+        const Ray ray = thin_lens_ray(camera, lens, {17.3f, 391.8f}, u);
         CHECK(dot(ray.origin - camera.origin, camera.forward) == approx(0, 1e-6f));
         CHECK(length(ray.direction) == approx(1));
         farthest = std::max(farthest, distance(ray.origin, camera.origin));
@@ -90,7 +91,7 @@ TEST_CASE("rays start all over the lens, at right angles to the line of sight") 
     Mean across, along;
     Random random(5);
     for (int i = 0; i < 40'000; ++i) {
-        const vec3 p = lens_ray(camera, lens, {300, 10}, random.uniform2()).origin - camera.origin;
+        const vec3 p = thin_lens_ray(camera, lens, {300, 10}, random.uniform2()).origin - camera.origin;
         const double x = double(dot(p, normalize(camera.half_width))),
                      y = double(dot(p, normalize(camera.half_height)));
         across.add(x * x), along.add(y * y);
@@ -107,7 +108,7 @@ TEST_CASE("what lies in the plane of focus is seen at one point of the picture f
         for (const vec2 u : grid()) {
             INFO("through " << to_text(pixel)
                             << "; wrong only away from the middle: a sphere is in focus, not a plane");
-            CHECK(at_depth(lens_ray(camera, {0.8f, 5}, pixel, u), 5) == approx(seen, 2e-6f));
+            CHECK(at_depth(thin_lens_ray(camera, {0.8f, 5}, pixel, u), 5) == approx(seen, 2e-6f));
         }
     }
 }
@@ -126,7 +127,7 @@ TEST_CASE("out of focus a point is a disk as wide as a thin lens makes it") {
         // point there fills one of that times f / d in the picture.
         const vec3 through = at_depth(camera_ray(camera, pixel), depth);
         for (const vec2 u : grid()) {
-            const Ray ray = lens_ray(camera, {aperture, focus}, pixel, u);
+            const Ray ray = thin_lens_ray(camera, {aperture, focus}, pixel, u);
             widest = std::max(widest, 2 * distance(at_depth(ray, depth), through) * focus / depth);
         }
         INFO("at " << depth << " m");
@@ -134,7 +135,7 @@ TEST_CASE("out of focus a point is a disk as wide as a thin lens makes it") {
         // And through the lens itself: the picture's points from which a ray hits the point exactly.
         float reach = 0;
         for (const vec2 u : grid()) {
-            const vec3 on_lens = lens_ray(camera, {aperture, focus}, pixel, u).origin;
+            const vec3 on_lens = thin_lens_ray(camera, {aperture, focus}, pixel, u).origin;
             const vec3 on_plane = on_lens + (through - on_lens) * (focus / depth);
             reach = std::max(reach, 2 * distance(on_plane, middle));
         }
@@ -144,14 +145,14 @@ TEST_CASE("out of focus a point is a disk as wide as a thin lens makes it") {
 
 TEST_CASE("without --focus the camera focuses on what it looks at") {
     Options options("test", "Where is it sharp?", RenderSettings{});
-    const LensKnobs knobs(options);
+    const LensOptions knobs(options);
     const std::array words{"test", "--aperture", "0.25"};
     REQUIRE(options.parse(int(words.size()), words.data()));
-    CHECK(knobs.lens(look_at).aperture == 0.25f);
-    CHECK(knobs.lens(look_at).focus == approx(distance(look_at.from, look_at.at)));
+    CHECK(knobs.lens(look_at).aperture_diameter == 0.25f);
+    CHECK(knobs.lens(look_at).focus_distance == approx(distance(look_at.from, look_at.at)));
     Options other("test", "Where is it sharp?", RenderSettings{});
-    const LensKnobs near(other);
+    const LensOptions near(other);
     const std::array more{"test", "--aperture", "0.25", "--focus", "2.5"};
     REQUIRE(other.parse(int(more.size()), more.data()));
-    CHECK(near.lens(look_at).focus == 2.5f);
+    CHECK(near.lens(look_at).focus_distance == 2.5f);
 }

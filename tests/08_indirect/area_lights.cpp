@@ -1,6 +1,6 @@
 // Facts about what lamps send to a place, whatever their shape and number and whatever stands between.
 // Noisy facts are z-tests with a fixed seed: a right renderer is beyond |z| = 4 in one run of 16,000.
-#include "08_indirect/area_light.h"
+#include "08_indirect/area_lights.h"
 #include "08_indirect/scene.h"
 #include "tests/08_indirect/step.h"
 #include "tests/08_indirect/lamps.h"
@@ -21,17 +21,17 @@ TEST_CASE("all that glows is a light, to be picked in proportion to its power") 
     const int white = add(scene.materials, emissive(vec3(3)));
     const int coat = add(scene.materials, Coated{0.25f, white});
     const int picture =
-        add(scene.materials,
-            Textured{add(scene.textures, make_texture(Bitmap{1, 1, {9000, 9000, 9000}})), vec3(1), vec3(5)});
+        add(scene.materials, ImageTexture{add(scene.textures, make_texture(Bitmap{1, 1, {9000, 9000, 9000}})),
+                                          vec3(1), vec3(5)});
     scene.quads = {{{0, 0, 0}, {2, 0, 0}, {0, 0, 3}, red},
                    {{0, 5, 0}, {2, 0, 0}, {0, 0, 3}, grey},
                    {{0, 9, 0}, {1, 0, 0}, {0, 0, 2}, picture}};
     scene.spheres = {{{5, 0, 0}, 0.5f, white}, {{9, 0, 0}, 2, grey}};
     add_triangle(scene, {0, 0, 9}, {4, 0, 9}, {0, 1, 9}, coat);
-    prepare(scene);
-    const AreaLights lights = area_lights(scene);
-    REQUIRE(lights.list.size() == 4);
-    REQUIRE(lights.cumulative.size() == 4);
+    build_bvhs(scene);
+    const AreaLights lights = collect_area_lights(scene);
+    REQUIRE(lights.lights.size() == 4);
+    REQUIRE(lights.cdf.size() == 4);
     const std::array power{0.2126f * 2 * 6, 5.0f * 2, 3.0f * pi, 0.75f * 3.0f * 2};
     float sum = 0, all = 0;
     for (const float one : power) all += one;
@@ -39,7 +39,7 @@ TEST_CASE("all that glows is a light, to be picked in proportion to its power") 
         sum += power[i];
         INFO("light "
              << i << ": luminance of the emission times area; a coat of reflectivity k lets 1 - k through");
-        CHECK(lights.cumulative[i] == approx(sum / all));
+        CHECK(lights.cdf[i] == approx(sum / all));
     }
 }
 
@@ -201,11 +201,11 @@ TEST_CASE("the density of a direction towards lamps is that with which they are 
     const std::array want{angle(quad[0], quad[1], quad[2]) + angle(quad[0], quad[2], quad[3]),
                           2 * 2 * double(pi) * (1 - std::sqrt(1 - 0.64 / (reach * reach))), // both its sides
                           angle(triangle[0], triangle[1], triangle[2])};
-    const AreaLights lights = area_lights(scene);
+    const AreaLights lights = collect_area_lights(scene);
     std::array<Mean, 3> mean;
     Random random(73);
     for (int i = 0; i < 60'000; ++i) {
-        const LightPoint point = light_point(lights, random.uniform2());
+        const LightSample point = sample_light(lights, random.uniform2());
         const vec3 way = point.position - from;
         const float cosine = dot(normalize(way), point.normal);
         const double inverse = 1 / double(light_pdf(lights, point.emission, length(way), cosine));

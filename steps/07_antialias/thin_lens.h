@@ -13,7 +13,7 @@ namespace rt {
 /// A point of the disk of radius 1, evenly spread by area: the square's rings become rings and its diagonals
 /// stay straight, so that what is even in the square is even in the disk (the concentric map of Shirley and
 /// Chiu 1997). u in [0, 1)^2.
-inline vec2 disk_point(vec2 u) {
+inline vec2 sample_disk_concentric(vec2 u) {
     //> the radius is the larger coordinate; the smaller one over it turns by up to 45 degrees to either side
     const vec2 p = 2.0f * u - 1.0f;
     if (p == vec2(0)) return p;
@@ -26,35 +26,35 @@ inline vec2 disk_point(vec2 u) {
     //< return 2.0f * u - 1.0f;
 }
 
-struct Lens {
-    float aperture = 0; ///< how wide it is, in metres; 0 is the pinhole
-    float focus = 1;    ///< how far ahead the plane in focus is, in metres along `forward`, above 0
+struct ThinLens {
+    float aperture_diameter = 0; ///< how wide it is, in metres; 0 is the pinhole
+    float focus_distance = 1;    ///< how far ahead the plane in focus is, in metres along `forward`, above 0
 };
 
 /// As camera_ray(), but from the point of the lens that u in [0, 1)^2 picks. The lens stands around the
 /// camera's origin, at right angles to `forward`. What is d metres ahead is seen as a disk, whose width on
-/// the plane in focus is aperture |d - focus| / d, the circle of confusion.
-inline Ray lens_ray(const Camera& camera, const Lens& lens, vec2 film_point, vec2 u) {
+/// the plane in focus is aperture_diameter |d - focus_distance| / d, the circle of confusion.
+inline Ray thin_lens_ray(const Camera& camera, const ThinLens& lens, vec2 film_point, vec2 u) {
     const Ray ray = camera_ray(camera, film_point);
-    if (lens.aperture == 0) return ray;
+    if (lens.aperture_diameter == 0) return ray;
     //> the pinhole's ray says what is in focus there; aim at that from the lens
-    const vec3 in_focus =
-        ray.direction * (lens.focus / dot(ray.direction, camera.forward)); // from the origin
-    const vec2 p = lens.aperture / 2 * disk_point(u);
-    const vec3 on_lens = p.x * normalize(camera.half_width) + p.y * normalize(camera.half_height);
-    return {ray.origin + on_lens, normalize(in_focus - on_lens)};
+    const vec3 focus_point =
+        ray.direction * (lens.focus_distance / dot(ray.direction, camera.forward)); // from the origin
+    const vec2 p = lens.aperture_diameter / 2 * sample_disk_concentric(u);
+    const vec3 lens_offset = p.x * normalize(camera.half_width) + p.y * normalize(camera.half_height);
+    return {ray.origin + lens_offset, normalize(focus_point - lens_offset)};
     //< return ray;
 }
 
 /// The ray with which a sample looks through this point of the picture. A pinhole asks for no numbers.
-inline Ray picture_ray(const Camera& camera, const Lens& lens, vec2 film_point, Sampler& sampler) {
-    return lens.aperture > 0 ? lens_ray(camera, lens, film_point, sampler.uniform2())
-                             : camera_ray(camera, film_point);
+inline Ray sample_camera_ray(const Camera& camera, const ThinLens& lens, vec2 film_point, Sampler& sampler) {
+    return lens.aperture_diameter > 0 ? thin_lens_ray(camera, lens, film_point, sampler.uniform2())
+                                      : camera_ray(camera, film_point);
 }
 
 /// Declares --aperture and --focus.
-struct LensKnobs {
-    explicit LensKnobs(Options& all)
+struct LensOptions {
+    explicit LensOptions(Options& all)
         : options(all),
           aperture(all.knob("aperture", 0.0f, 0.0f, 1000.0f,
                             "how wide the lens is, metres; 0 is a pinhole, with everything in focus")),
@@ -63,9 +63,10 @@ struct LensKnobs {
 
     /// Of a camera that stands like that: `other`, but for the knobs that the user has turned. A focus of 0
     /// stands for the distance to what the camera looks at.
-    Lens lens(const LookAt& look_at, const Lens& other = {.aperture = 0, .focus = 0}) const {
-        const float width = options.given("aperture") ? aperture : other.aperture;
-        const float ahead = options.given("focus") ? focus : other.focus;
+    ThinLens lens(const LookAt& look_at,
+                  const ThinLens& other = {.aperture_diameter = 0, .focus_distance = 0}) const {
+        const float width = options.given("aperture") ? aperture : other.aperture_diameter;
+        const float ahead = options.given("focus") ? focus : other.focus_distance;
         return {width, ahead > 0 ? ahead : distance(look_at.from, look_at.at)};
     }
 
