@@ -44,6 +44,13 @@ guard_rooms() {
         { print }' | report "a room of common includes only those before it: util math image model render cli"
 }
 
+# 2c: lessons know no command line: options and scenes of the programs are in steps/NN_name/program/.
+guard_lessons() {
+    includes steps | grep -v -e '^steps/[^/]*/main.cpp:' -e '^steps/[^/]*/program/' |
+        grep -E '"([0-9][0-9]_[a-z_]*/program/|common/cli/)' |
+        report "a lesson header includes no program/ and no command line"
+}
+
 # 3: steps are pure computation.
 guard_pure() {
     local forbidden="thread|jthread|stop_token|atomic|mutex|shared_mutex|condition_variable|future|semaphore|latch|barrier"
@@ -94,7 +101,7 @@ guard_printable() {
 check() { # $1: the folder
     cd "$1" || exit 2
     local found
-    found=$(guard_order; guard_common; guard_accel; guard_rooms; guard_pure; guard_rooted; guard_opening; guard_printable)
+    found=$(guard_order; guard_common; guard_accel; guard_rooms; guard_lessons; guard_pure; guard_rooted; guard_opening; guard_printable)
     [ -z "$found" ] && return 0
     printf '%s\n' "$found"
     return 1
@@ -142,6 +149,8 @@ self_test() {
     plant "accel includes nothing but common and accel" accel/mesh.cpp "// A planted file.\n#include \"assets/mesh.h\"\n"
     plant "a room of common includes only" common/render/knob.h "$ok#include \"common/cli/options.h\"\n"
     plant "a room of common includes only" common/util/up.h "$ok#include \"common/image/image.h\"\n"
+    plant "a lesson header includes no program/" steps/03_mirror/cli.h "$ok#include \"common/cli/options.h\"\n"
+    plant "a lesson header includes no program/" steps/03_mirror/scenes.h "$ok#include \"01_spheres/program/options.h\"\n"
     for header in thread atomic mutex fstream iostream sstream filesystem cstdio future; do
         plant "a step knows no threads" "steps/03_mirror/$header.h" "$ok#include <$header>\n"
     done

@@ -2,7 +2,7 @@
 #include "01_spheres/camera.h"
 #include "01_spheres/radiance.h"
 #include "01_spheres/scene.h"
-#include "01_spheres/view.h"
+#include "01_spheres/program/options.h"
 #include "common/cli/program.h"
 
 using namespace rt;

@@ -1,6 +1,6 @@
 // Step 02 asks: does the light get there?
 #include "01_spheres/camera.h"
-#include "01_spheres/view.h"
+#include "01_spheres/program/options.h"
 #include "02_shadows/radiance.h"
 #include "02_shadows/scene.h"
 #include "common/cli/program.h"

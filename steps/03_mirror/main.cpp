@@ -1,6 +1,6 @@
 // Step 03 asks: what does the mirror see?
 #include "01_spheres/camera.h"
-#include "01_spheres/view.h"
+#include "01_spheres/program/options.h"
 #include "03_mirror/radiance.h"
 #include "03_mirror/scene.h"
 #include "common/cli/program.h"

@@ -1,6 +1,6 @@
 // Step 04 asks: where does light go in glass?
 #include "01_spheres/camera.h"
-#include "01_spheres/view.h"
+#include "01_spheres/program/options.h"
 #include "04_refraction/radiance.h"
 #include "04_refraction/scene.h"
 #include "common/cli/program.h"

@@ -1,8 +1,8 @@
 // Step 05 asks: what if there are a hundred thousand things to hit?
-#include "01_spheres/view.h"
+#include "01_spheres/program/options.h"
 #include "04_refraction/radiance.h"
 #include "05_mesh_bvh/scene.h"
-#include "05_mesh_bvh/framing.h"
+#include "05_mesh_bvh/program/options.h"
 #include "common/util/paths.h"
 #include "common/cli/program.h"
 

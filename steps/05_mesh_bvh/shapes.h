@@ -9,7 +9,6 @@
 #include "05_mesh_bvh/mesh.h"
 #include "accel/accel.h"
 #include "common/util/match.h"
-#include "common/cli/options.h"
 #include "common/util/tally.h"
 
 #include <algorithm>
@@ -21,13 +20,6 @@ namespace rt {
 /// How a ray looks for what it meets: by asking every shape, by descending a binary tree, or one with rows of
 /// boxes in its nodes and rows of shapes in its leaves.
 enum class Accel { brute, bvh, wide };
-
-inline Choice<Accel> accel_option(Options& options, Accel initial) {
-    return options.choice(
-        "accel", {"brute", "bvh", "wide"}, initial,
-        "how a ray finds what it meets: ask every shape, descend a tree, or a tree that tests "
-        "many at once");
-}
 
 struct Shapes {
     std::vector<Sphere> spheres;

@@ -1,6 +1,6 @@
 // Step 06 asks: how does a picture get onto a surface?
-#include "01_spheres/view.h"
-#include "05_mesh_bvh/framing.h"
+#include "01_spheres/program/options.h"
+#include "05_mesh_bvh/program/options.h"
 #include "04_refraction/radiance.h"
 #include "06_textures/scene.h"
 #include "common/util/paths.h"

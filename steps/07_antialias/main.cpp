@@ -1,10 +1,9 @@
 // Step 07 asks: what is a pixel?
-#include "01_spheres/view.h"
-#include "05_mesh_bvh/framing.h"
+#include "01_spheres/program/options.h"
+#include "05_mesh_bvh/program/options.h"
 #include "04_refraction/radiance.h"
 #include "06_textures/scene.h"
-#include "07_antialias/filter.h"
-#include "07_antialias/thin_lens.h"
+#include "07_antialias/program/options.h"
 #include "common/util/paths.h"
 #include "common/cli/program.h"
 
@@ -51,10 +50,7 @@ int main(int argc, char** argv) {
     Options options("07_antialias", "What is a pixel?", {.width = 640, .height = 400, .samples = 64});
     const ModelOptions model(options);
     const auto sampler_kind = sampler_option(options);
-    const auto filter = options.choice("filter", {"box", "tent", "gaussian"}, Filter::gaussian,
-                                       "how a pixel weighs the light around its middle");
-    const float& filter_width = options.knob(
-        "filter-width", 1.0f, 0.0f, 10.0f, "scales the filter: box 1 pixel wide, tent 2, Gaussian sigma 1/2");
+    const FilterOptions filter(options);
     const LensOptions lens_options(options);
     const auto accel = accel_option(options, Accel::wide);
     const int& depth = options.knob("depth", 6, 0, 24, "mirrors and boundaries that a ray may meet");
@@ -74,7 +70,7 @@ int main(int argc, char** argv) {
         const ThinLens lens = lens_options.lens(look_at);
         render([&](const Sample& sample) {
             Sampler sampler(sampler_kind, sample);
-            const vec2 point = film_point(sample, sampler, filter, filter_width);
+            const vec2 point = film_point(sample, sampler, filter.filter, filter.width);
             const Ray ray = sample_camera_ray(camera, lens, point, sampler);
             if (view == DebugView::radiance) return radiance(scene, ray, depth);
             return debug_colour(scene, ray, view, distance(look_at.from, look_at.at));

@@ -4,7 +4,6 @@
 
 #include "07_antialias/stratified.h"
 #include "07_antialias/sobol.h"
-#include "common/cli/options.h"
 #include "common/math/random.h"
 #include "common/render/render.h"
 
@@ -45,12 +44,5 @@ class Sampler {
     Random random;           ///< of this sample alone
     Random dimension_key{0}; ///< a key for one dimension after another, the same for all samples of the pixel
 };
-
-/// Declares --sampler.
-inline Choice<SamplerKind> sampler_option(Options& options) {
-    return options.choice("sampler", {"random", "stratified", "sobol"}, SamplerKind::sobol,
-                          "how the samples of a pixel are spread: anywhere, one a cell, or as Sobol points, "
-                          "which are even in cells of every shape");
-}
 
 } // namespace rt

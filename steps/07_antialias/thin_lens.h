@@ -4,7 +4,6 @@
 
 #include "01_spheres/camera.h"
 #include "07_antialias/sampler.h"
-#include "common/cli/options.h"
 
 #include <cmath>
 
@@ -51,28 +50,5 @@ inline Ray sample_camera_ray(const Camera& camera, const ThinLens& lens, vec2 fi
     return lens.aperture_diameter > 0 ? thin_lens_ray(camera, lens, film_point, sampler.uniform2())
                                       : camera_ray(camera, film_point);
 }
-
-/// Declares --aperture and --focus.
-struct LensOptions {
-    explicit LensOptions(Options& all)
-        : options(all),
-          aperture(all.knob("aperture", 0.0f, 0.0f, 1000.0f,
-                            "how wide the lens is, metres; 0 is a pinhole, with everything in focus")),
-          focus(all.knob("focus", 0.0f, 0.0f, 1e6f,
-                         "how far ahead the plane in focus is, metres; 0 for the distance to --at")) {}
-
-    /// Of a camera that stands like that: `other`, but for the knobs that the user has turned. A focus of 0
-    /// stands for the distance to what the camera looks at.
-    ThinLens lens(const LookAt& look_at,
-                  const ThinLens& other = {.aperture_diameter = 0, .focus_distance = 0}) const {
-        const float width = options.given("aperture") ? aperture : other.aperture_diameter;
-        const float ahead = options.given("focus") ? focus : other.focus_distance;
-        return {width, ahead > 0 ? ahead : distance(look_at.from, look_at.at)};
-    }
-
-    const Options& options;
-    const float& aperture;
-    const float& focus;
-};
 
 } // namespace rt

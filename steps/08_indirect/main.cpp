@@ -1,14 +1,13 @@
 // Step 08 asks: where does all the light come from?
-#include "01_spheres/view.h"
-#include "05_mesh_bvh/framing.h"
-#include "07_antialias/filter.h"
-#include "07_antialias/thin_lens.h"
-#include "08_indirect/animal.h"
-#include "08_indirect/cornell.h"
+#include "01_spheres/program/options.h"
+#include "05_mesh_bvh/program/options.h"
+#include "07_antialias/program/options.h"
+#include "08_indirect/program/animal.h"
+#include "08_indirect/program/cornell.h"
 #include "08_indirect/radiance.h"
-#include "08_indirect/room.h"
+#include "08_indirect/program/room.h"
 #include "08_indirect/scene.h"
-#include "08_indirect/weekend.h"
+#include "08_indirect/program/weekend.h"
 #include "common/cli/program.h"
 
 using namespace rt;
@@ -46,10 +45,7 @@ int main(int argc, char** argv) {
         "a Cornell box; the balls of a well-known book; a cat at home");
     const auto accel = accel_option(options, Accel::wide);
     const auto sampler_kind = sampler_option(options);
-    const auto filter = options.choice("filter", {"box", "tent", "gaussian"}, Filter::gaussian,
-                                       "how a pixel weighs the light around its middle");
-    const float& filter_width = options.knob(
-        "filter-width", 1.0f, 0.0f, 10.0f, "scales the filter: box 1 pixel wide, tent 2, Gaussian sigma 1/2");
+    const FilterOptions filter(options);
     const LensOptions lens_options(options);
     const int& depth = options.knob("depth", 5, 0, 1000, "bounces of a path; the light beyond is left out");
     const bool& no_indirect =
@@ -84,7 +80,7 @@ int main(int argc, char** argv) {
             lens_options.lens(look_at, is_weekend ? weekend_lens : ThinLens{.focus_distance = 0});
         render([&](const Sample& sample) {
             Sampler sampler(sampler_kind, sample);
-            const vec2 point = film_point(sample, sampler, filter, filter_width);
+            const vec2 point = film_point(sample, sampler, filter.filter, filter.width);
             const Ray ray = sample_camera_ray(camera, lens, point, sampler);
             if (view == DebugView::radiance) return radiance(scene, lights, settings, ray, sampler);
             return debug_colour(scene, ray, view, distance(look_at.from, look_at.at));

@@ -1,7 +1,7 @@
 // Facts about the options of the camera: what is typed, what stays, and what is refused.
 #include "tests/check.h"
 
-#include "01_spheres/camera.h"
+#include "01_spheres/program/options.h"
 
 #include <string>
 #include <vector>

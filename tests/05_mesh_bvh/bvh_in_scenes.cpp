@@ -1,6 +1,6 @@
 // A binary tree never changes what a ray meets, and saves nearly all of the work. Every random ray has a
 // fixed seed, so these checks pass or fail for good.
-#include "01_spheres/view.h"
+#include "01_spheres/debug_view.h"
 #include "05_mesh_bvh/scene.h"
 #include "common/math/random.h"
 #include "tests/05_mesh_bvh/step.h"

@@ -1,6 +1,6 @@
 // The framing of a model that nobody has seen before.
 #include "05_mesh_bvh/scene.h"
-#include "05_mesh_bvh/framing.h"
+#include "05_mesh_bvh/program/options.h"
 #include "common/cli/options.h"
 #include "common/math/random.h"
 #include "tests/check.h"

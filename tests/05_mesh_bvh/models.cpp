@@ -1,7 +1,7 @@
 // Light in and on whole models: a lens of triangles, and the bunny.
 #include "04_refraction/radiance.h"
 #include "05_mesh_bvh/scene.h"
-#include "05_mesh_bvh/framing.h"
+#include "05_mesh_bvh/program/framing.h"
 #include "tests/05_mesh_bvh/step.h"
 #include "tests/check.h"
 #include "tests/meshes.h"

@@ -1,6 +1,6 @@
 // Facts about a lens: where its rays start, where they meet, and how wide a point out of focus becomes.
 // Noisy facts are z-tests with a fixed seed: a right renderer is beyond |z| = 4 in one run of 16,000.
-#include "07_antialias/thin_lens.h"
+#include "07_antialias/program/options.h"
 #include "tests/check.h"
 
 #include <array>

@@ -1,9 +1,9 @@
 // Facts about the scenes that step 08 shares with other programs: where things stand, how large they are, and
 // that a rule or a list is followed.
-#include "08_indirect/animal.h"
-#include "08_indirect/cornell.h"
+#include "08_indirect/program/animal.h"
+#include "08_indirect/program/cornell.h"
 #include "08_indirect/radiance.h"
-#include "08_indirect/weekend.h"
+#include "08_indirect/program/weekend.h"
 #include "tests/check.h"
 
 #include <algorithm>

@@ -2,9 +2,9 @@
 // sampler, against a converged picture. The book-style path tracer that it compares with bounces uniformly
 // over the hemisphere, with plain random numbers, never asks a lamp and plays no roulette.
 #include "07_antialias/filter.h"
-#include "08_indirect/cornell.h"
+#include "08_indirect/program/cornell.h"
 #include "08_indirect/radiance.h"
-#include "08_indirect/room.h"
+#include "08_indirect/program/room.h"
 #include "08_indirect/scene.h"
 #include "common/util/complain.h"
 #include "common/util/file_bytes.h"

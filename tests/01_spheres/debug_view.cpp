@@ -2,7 +2,7 @@
 #include "tests/check.h"
 
 #include "01_spheres/scene.h"
-#include "01_spheres/view.h"
+#include "01_spheres/program/options.h"
 
 #include <vector>
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "01_spheres/hit.h"
-#include "common/cli/options.h"
 #include "common/math/random.h"
 #include "common/util/tally.h"
 
@@ -12,14 +11,6 @@
 namespace rt {
 
 enum class DebugView { radiance, normal, depth, uv, material, depth_complexity, traversal_cost };
-
-inline Choice<DebugView> view_option(Options& options) {
-    return options.choice(
-        "view", {"light", "normal", "depth", "uv", "material", "hits", "work"}, DebugView::radiance,
-        "what to show: the light itself, or what the ray hits (its normal, how far it is, "
-        "where on the surface, which material, through how many surfaces the ray goes, and, "
-        "from step 05 on, how much work it is to find the nearest)");
-}
 
 /// How many surfaces the whole line of the ray crosses, at most `limit`.
 template <Traceable S>

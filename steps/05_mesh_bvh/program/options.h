@@ -1,35 +1,22 @@
-// The framing of a model that nobody has seen before: camera, floor and key light, from its box alone.
+// The options of step 05 and later: how rays find what they hit, and a model of the user's own.
 #pragma once
 
-#include "01_spheres/camera.h"
 #include "02_shadows/point_light.h"
-#include "05_mesh_bvh/mesh.h"
-#include "common/util/error.h"
+#include "05_mesh_bvh/program/framing.h"
+#include "05_mesh_bvh/shapes.h"
+#include "common/cli/options.h"
 
-#include <cmath>
+#include <algorithm>
 #include <string>
 
 namespace rt {
 
-struct Framing {
-    LookAt look_at;        ///< shows all of the model from the front, a little from the right and from above
-    vec3 floor;            ///< a point of the floor, a hair's breadth under the model
-    vec3 key_light;        ///< where a lamp stands, beside the camera and well above the model
-    float intensity_scale; ///< metres^2: an intensity of this many W/sr sheds about 1 W/m^2 on the model
-};
-
-/// `aspect` is the picture's width over its height. A model without any extent counts as 1 m large.
-inline Framing frame_model(const Aabb& box, float aspect) {
-    const vec3 center = centroid(box);
-    const float radius = length(box.max - box.min) > 0 ? length(box.max - box.min) / 2 : 1;
-    const float fov = 34;
-    const float half_angle = std::atan(std::tan(glm::radians(fov) / 2) * glm::min(aspect, 1.0f));
-    const float camera_distance = 1.02f * radius / std::sin(half_angle); // the ball around the box just fits
-    const vec3 key_light = center + radius * vec3(-1.6f, 3.2f, 2.4f);
-    return {{center + camera_distance * normalize(vec3(0.45f, 0.32f, 1)), center, {0, 1, 0}, fov},
-            {center.x, box.min.y - 0x1p-12f * radius, center.z}, // so that a floor of the model's own shows
-            key_light,
-            dot(key_light - center, key_light - center)};
+/// Declares --accel.
+inline Choice<Accel> accel_option(Options& options, Accel initial) {
+    return options.choice(
+        "accel", {"brute", "bvh", "wide"}, initial,
+        "how a ray finds what it meets: ask every shape, descend a tree, or a tree that tests "
+        "many at once");
 }
 
 /// The options with which a user shows a model of their own.

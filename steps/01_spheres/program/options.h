@@ -1,0 +1,58 @@
+// The options that the programs of all steps have: where the camera is, and what to show.
+#pragma once
+
+#include "01_spheres/camera.h"
+#include "01_spheres/debug_view.h"
+#include "common/cli/options.h"
+#include "common/util/error.h"
+
+namespace rt {
+
+/// Declares --view.
+inline Choice<DebugView> view_option(Options& options) {
+    return options.choice(
+        "view", {"light", "normal", "depth", "uv", "material", "hits", "work"}, DebugView::radiance,
+        "what to show: the light itself, or what the ray hits (its normal, how far it is, "
+        "where on the surface, which material, through how many surfaces the ray goes, and, "
+        "from step 05 on, how much work it is to find the nearest)");
+}
+
+/// Declares --from --at --up --fov.
+class CameraOptions {
+  public:
+    CameraOptions(Options& all, const LookAt& initial)
+        : options(all), from(all.knob("from", initial.from, "where the camera stands, metres")),
+          at(all.knob("at", initial.at, "the point it looks at, metres")),
+          up(all.knob("up", initial.up, "the direction that is up in the picture")),
+          fov(all.knob("fov", initial.fov, 1.0f, 170.0f, "vertical field of view, degrees")) {}
+
+    /// What the user asked for. Throws Error if no camera can stand like that.
+    LookAt look_at() const { return validated({vec3(from), vec3(at), vec3(up), fov}); }
+
+    /// `defaults`, overridden by the options given on the command line.
+    LookAt look_at_or(const LookAt& defaults) const {
+        LookAt look_at = defaults;
+        if (options.given("from")) look_at.from = vec3(from - defaults.origin);
+        if (options.given("at")) look_at.at = vec3(at - defaults.origin);
+        if (options.given("up")) look_at.up = vec3(up);
+        if (options.given("fov")) look_at.fov = fov;
+        return validated(look_at);
+    }
+
+  private:
+    static LookAt validated(const LookAt& look_at) {
+        const vec3 view_direction = look_at.at - look_at.from;
+        if (length(view_direction) == 0) throw Error("--from and --at are the same point: move one of them");
+        if (!(length(cross(normalize(view_direction), look_at.up)) > 1e-6f * length(look_at.up)))
+            throw Error("--up must not be zero or point along the line from --from to --at");
+        return look_at;
+    }
+
+    const Options& options;
+    const dvec3& from;
+    const dvec3& at;
+    const dvec3& up;
+    const float& fov;
+};
+
+} // namespace rt
