@@ -34,8 +34,10 @@ class Options {
     Options(std::string name, std::string question, RenderSettings picture);
     ~Options();
 
-    const float& knob(const std::string& name, float initial, float low, float high, const std::string& help);
-    const int& knob(const std::string& name, int initial, int low, int high, const std::string& help);
+    /// A float or an int.
+    template <typename Number>
+    const Number& knob(const std::string& name, Number initial, Number low, Number high,
+                       const std::string& help);
     /// Three finite numbers, typed as x,y,z. In double: a model's coordinates may be far from 0.
     const dvec3& knob(const std::string& name, vec3 initial, const std::string& help);
     /// Absent is false.

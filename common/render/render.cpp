@@ -3,11 +3,14 @@
 
 #include "common/render/render.h"
 
+#include "common/image/image_file.h"
 #include "common/util/cores.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
+#include <cstdio>
 #include <exception>
 #include <limits>
 #include <mutex>
@@ -204,6 +207,18 @@ Film Job::run(int threads) {
 }
 
 } // namespace
+
+std::string size_problem(const Crop& crop) {
+    constexpr double bytes_per_pixel = 24; // of the two images
+    const int width = crop.x1 - crop.x0, height = crop.y1 - crop.y0;
+    const double needed = bytes_per_pixel * width * height + double(memory_to_write(width, height));
+    const double usable = double(usable_memory());
+    if (usable == 0 || needed <= usable) return size_problem(width, height);
+    std::array<char, 128> text{};
+    std::snprintf(text.data(), text.size(), "(%d x %d) needs %.1f GB of memory, and %.1f GB may be used",
+                  width, height, needed * 1e-9, usable * 1e-9);
+    return text.data();
+}
 
 int thread_count(const RenderSettings& picture) {
     return int(std::min<std::int64_t>(requested_threads(picture), tiles_of(picture).count()));

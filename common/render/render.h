@@ -8,6 +8,7 @@
 #include "common/util/tally.h"
 
 #include <functional>
+#include <string>
 
 namespace rt {
 
@@ -41,6 +42,10 @@ struct Film {
 /// How many threads render() takes for this picture: as --threads asks (0: usable_cores()), but no more than
 /// there are tiles.
 int thread_count(const RenderSettings& picture);
+
+/// Why a film of this size is not rendered: it needs more memory than there is, or cannot be written; "" if it
+/// is.
+std::string size_problem(const Crop& crop);
 
 /// Renders `picture.crop`. The result does not depend on `threads`; a crop has the bits of that part of the
 /// whole. `progress` is told the finished share, 0 to 1, from one thread at a time; it may be empty.

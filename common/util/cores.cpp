@@ -12,6 +12,11 @@
 #include <sched.h>
 #endif
 
+#if __has_include(<unistd.h>)
+#include <sys/resource.h>
+#include <unistd.h>
+#endif
+
 namespace rt {
 namespace {
 
@@ -61,6 +66,19 @@ int cores_of_quota(std::string_view cpu_max) {
 int usable_cores() {
     const int allowed = cores_of_affinity(), quota = cores_of_groups();
     return quota > 0 ? std::min(allowed, quota) : allowed;
+}
+
+std::int64_t usable_memory() {
+#if defined(_SC_PHYS_PAGES) && defined(_SC_PAGESIZE)
+    const std::int64_t pages = sysconf(_SC_PHYS_PAGES);
+    const std::int64_t page = sysconf(_SC_PAGESIZE);
+    const std::int64_t machine = pages > 0 && page > 0 ? pages * page : 0;
+    rlimit limit{};
+    const bool limited = getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur < rlim_t(machine);
+    return limited ? std::int64_t(limit.rlim_cur) : machine;
+#else
+    return 0;
+#endif
 }
 
 } // namespace rt

@@ -1,6 +1,7 @@
-// How many cores this program may use, which is often fewer than the machine has.
+// How many cores and how much memory this program may use, which is often less than the machine has.
 #pragma once
 
+#include <cstdint>
 #include <string_view>
 
 namespace rt {
@@ -12,5 +13,8 @@ int usable_cores();
 /// Returns the cores of a control group's file cpu.max, "quota period" in microseconds, rounded up; 0 if it
 /// sets no limit or is not such a file.
 int cores_of_quota(std::string_view cpu_max);
+
+/// Returns the bytes of memory that this process may have: the machine's, or less by `ulimit -v`; 0 if unknown.
+std::int64_t usable_memory();
 
 } // namespace rt

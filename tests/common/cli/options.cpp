@@ -201,83 +201,70 @@ TEST_CASE("given tells what was typed from what was left alone") {
 
 TEST_CASE("a number out of its range is refused with the range") {
     check_refused({
-        {{"--ior", "7"}, {"--ior 7 is out of range: 1 to 2.5"}},
-        {{"--ior", "0.999"}, {"--ior 0.999 is out of range: 1 to 2.5"}},
-        {{"--ior", "-2"}, {"--ior -2 is out of range: 1 to 2.5"}},
-        {{"--ior", "1e99"}, {"--ior 1e99 is out of range: 1 to 2.5"}},
-        {{"--ior", "2.5000003"}, {"out of range"}},
-        {{"--depth", "0"}, {"--depth 0 is out of range: 1 to 20"}},
-        {{"--depth", "21"}, {"--depth 21 is out of range: 1 to 20"}},
-        {{"--depth", "4294967301"}, {"out of range: 1 to 20"}}, // 5 + 2^32
-        {{"--width", "0"}, {"--width 0 is out of range: 1 to 65536"}},
-        {{"--width", "65537"}, {"out of range"}},
-        {{"--height", "-4"}, {"--height -4 is out of range: 1 to 65536"}},
-        {{"--samples", "0"}, {"--samples 0 is out of range: 1 to 1048576"}},
-        {{"--samples", "99999999999999999999"}, {"--samples", "out of range"}},
-        {{"--threads", "-1"}, {"--threads -1 is out of range: 0 to 1024"}},
-        {{"--seed", "-1"}, {"--seed -1 is out of range: 0 to 18446744073709551615"}},
-        {{"--seed", "18446744073709551616"}, {"--seed", "out of range"}},
+        {{"--ior", "7"}, {"--ior \"7\" is not a number from 1 to 2.5"}},
+        {{"--ior", "0.999"}, {"--ior \"0.999\" is not a number from 1 to 2.5"}},
+        {{"--ior", "-2"}, {"--ior \"-2\" is not a number from 1 to 2.5"}},
+        {{"--ior", "1e99"}, {"--ior \"1e99\" is not a number from 1 to 2.5"}},
+        {{"--ior", "2.5000003"}, {"is not a number from 1 to 2.5"}},
+        {{"--depth", "0"}, {"--depth \"0\" is not a whole number from 1 to 20"}},
+        {{"--depth", "21"}, {"--depth \"21\" is not a whole number from 1 to 20"}},
+        {{"--depth", "4294967301"}, {"is not a whole number from 1 to 20"}}, // 5 + 2^32
+        {{"--width", "0"}, {"--width \"0\" is not a whole number from 1 to 65536"}},
+        {{"--width", "65537"}, {"is not a whole number from 1 to 65536"}},
+        {{"--height", "-4"}, {"--height \"-4\" is not a whole number from 1 to 65536"}},
+        {{"--samples", "0"}, {"--samples \"0\" is not a whole number from 1 to 1048576"}},
+        {{"--samples", "99999999999999999999"}, {"--samples", "is not a whole number from 1 to 1048576"}},
+        {{"--threads", "-1"}, {"--threads \"-1\" is not a whole number from 0 to 1024"}},
+        {{"--seed", "-1"}, {"--seed \"-1\" is not a whole number from 0 to 18446744073709551615"}},
+        {{"--seed", "18446744073709551616"},
+         {"--seed", "is not a whole number from 0 to 18446744073709551615"}},
     });
 }
 
 TEST_CASE("what is not a number is refused with the range") {
     check_refused({
-        {{"--ior", "glass"}, {"--ior glass is not a number: 1 to 2.5"}},
-        {{"--ior", "1.5x"}, {"--ior 1.5x is not a number: 1 to 2.5"}},
-        {{"--ior", "1.5 "}, {"--ior", "not a number"}},
-        {{"--ior", " 1.5"}, {"--ior", "not a number"}},
-        {{"--ior", "1,5"}, {"--ior 1,5 is not a number"}},
-        {{"--ior", "nan"}, {"--ior nan is not a number"}},
-        {{"--ior", "inf"}, {"--ior inf is not a number"}},
-        {{"--ior", "0x1p0"}, {"--ior 0x1p0 is not a number"}},
-        {{"--ior", "1.5.5"}, {"not a number"}},
-        {{"--ior", "."}, {"not a number"}},
-        {{"--ior", ""}, {"--ior '' is not a number"}},
-        {{"--depth", "1.5"}, {"--depth 1.5 is not a whole number: 1 to 20"}},
-        {{"--depth", "5x"}, {"--depth 5x is not a whole number"}},
-        {{"--depth", "-"}, {"--depth - is not a whole number"}},
+        {{"--ior", "glass"}, {"--ior \"glass\" is not a number from 1 to 2.5"}},
+        {{"--ior", "1.5x"}, {"--ior \"1.5x\" is not a number from 1 to 2.5"}},
+        {{"--ior", "1.5 "}, {"--ior", "is not a number from 1 to 2.5"}},
+        {{"--ior", " 1.5"}, {"--ior", "is not a number from 1 to 2.5"}},
+        {{"--ior", "1,5"}, {"--ior \"1,5\" is not a number from 1 to 2.5"}},
+        {{"--ior", "nan"}, {"--ior \"nan\" is not a number from 1 to 2.5"}},
+        {{"--ior", "inf"}, {"--ior \"inf\" is not a number from 1 to 2.5"}},
+        {{"--ior", "0x1p0"}, {"--ior \"0x1p0\" is not a number from 1 to 2.5"}},
+        {{"--ior", "1.5.5"}, {"is not a number from 1 to 2.5"}},
+        {{"--ior", "."}, {"is not a number from 1 to 2.5"}},
+        {{"--ior", ""}, {"--ior \"\" is not a number from 1 to 2.5"}},
+        {{"--depth", "1.5"}, {"--depth \"1.5\" is not a whole number from 1 to 20"}},
+        {{"--depth", "5x"}, {"--depth \"5x\" is not a whole number from 1 to 20"}},
+        {{"--depth", "-"}, {"--depth \"-\" is not a whole number from 1 to 20"}},
         {{"--depth", "--5"}, {"--depth"}},
-        {{"--width", "640px"}, {"--width 640px is not a whole number: 1 to 65536"}},
-        {{"--seed", "1e3"}, {"--seed 1e3 is not a whole number"}},
+        {{"--width", "640px"}, {"--width \"640px\" is not a whole number from 1 to 65536"}},
+        {{"--seed", "1e3"}, {"--seed \"1e3\" is not a whole number from 0 to 18446744073709551615"}},
     });
 }
 
 TEST_CASE("a point is three finite numbers") {
-    check_refused({
-        {{"--from", "1,2"}, {"--from 1,2 ", "three numbers x,y,z"}},
-        {{"--from", "1,2,3,4"}, {"--from 1,2,3,4", "three numbers"}},
-        {{"--from", "1,,3"}, {"--from", "not a number", "three numbers"}},
-        {{"--from", "1,2,"}, {"--from", "not a number", "three numbers"}},
-        {{"--from", "1,2,up"}, {"--from up is not a number", "three numbers"}},
-        {{"--from", "1,2,3z"}, {"--from", "not a number"}},
-        {{"--from", "0,nan,0"}, {"--from", "not a number"}},
-        {{"--from", "0,1e39,0"}, {"--from 0,1e39,0 is not finite"}},
-    });
+    for (const std::string text : {"1,2", "1,2,3,4", "1,,3", "1,2,", "1,2,3,", ",1,2", "", "1,2,up", "1,2,3z",
+                                   "0,nan,0", "0,-inf,0", "0,1e39,0", "0,1e999,0"})
+        check_refused({{{"--from", text},
+                        {"--from \"" + text + "\" is not three finite numbers x,y,z, as in 0,1.5,-2"}}});
 }
 
 TEST_CASE("a crop is a rectangle inside the picture") {
-    const std::string right = "0 <= x0 < x1 <= 640 and 0 <= y0 < y1 <= 400";
-    check_refused({
-        {{"--crop", "10,20,641,80"}, {"--crop 10,20,641,80 is not inside the picture", right}},
-        {{"--crop", "10,20,60,401"}, {"not inside the picture", right}},
-        {{"--crop", "10,20,10,80"}, {"--crop 10,20,10,80 is empty", right}},
-        {{"--crop", "10,20,60,20"}, {"is empty", right}},
-        {{"--crop", "60,20,10,80"}, {"is empty", right}},
-        {{"--crop", "700,0,800,10"}, {"not inside"}},
-        {{"--crop", "-1,0,10,10"}, {"--crop -1 is out of range"}},
-        {{"--crop", "10,20,60"}, {"--crop 10,20,60 ", "x0,y0,x1,y1"}},
-        {{"--crop", "1,2,3,4,5"}, {"--crop", "x0,y0,x1,y1"}},
-        {{"--crop", "1,2,3.5,4"}, {"--crop 3.5 is not a whole number"}},
-        {{"--crop", "a,b,c,d"}, {"--crop a is not a whole number"}},
-    });
+    const std::string right =
+        "is not four whole numbers x0,y0,x1,y1 with 0 <= x0 < x1 <= 640 and 0 <= y0 < y1 <= 400";
+    for (const std::string text :
+         {"10,20,641,80", "10,20,60,401", "10,20,10,80", "10,20,60,20", "60,20,10,80", "700,0,800,10",
+          "-1,0,10,10", "10,20,60", "1,2,3,4,5", "1,2,3.5,4", "a,b,c,d", ""})
+        check_refused({{{"--crop", text}, {"--crop \"" + text + "\" " + right}}});
     Program program; // the order of the flags does not matter
     CHECK(program.parse({"--crop", "0,0,1000,900", "--width", "1000", "--height", "900"}));
 }
 
 TEST_CASE("an unknown flag is refused, with the one that was probably meant") {
     check_refused({
-        {{"--sampels", "4"}, {"--sampels is not a flag of 03_test", "did you mean --samples?"}},
-        {{"--sample=4"}, {"--sample is not a flag", "did you mean --samples?"}},
+        {{"--sampels", "4"}, {"\"--sampels\" is not an option of 03_test", "did you mean --samples?"}},
+        {{"--sample=4"}, {"\"--sample\" is not an option", "did you mean --samples?"}},
         {{"--widht", "4"}, {"did you mean --width?"}},
         {{"-width", "4"}, {"did you mean --width?"}},
         {{"--hieght", "4"}, {"did you mean --height?"}},
@@ -285,19 +272,19 @@ TEST_CASE("an unknown flag is refused, with the one that was probably meant") {
         {{"--Quiet"}, {"did you mean --quiet?"}},
         {{"--helpp"}, {"did you mean --help?"}},
         {{"--smaplse", "4"}, {"did you mean --samples?"}}, // letters swapped twice
-        {{"--teapot"}, {"--teapot is not a flag of 03_test: --help lists them all"}},
-        {{"-x"}, {"-x is not a flag"}},
-        {{"---"}, {"--- is not a flag"}},
+        {{"--teapot"}, {"\"--teapot\" is not an option of 03_test: --help lists them all"}},
+        {{"-x"}, {"\"-x\" is not an option"}},
+        {{"---"}, {"\"---\" is not an option"}},
     });
     CHECK_FALSE(contains(refusal({"--teapot"}), "did you mean"));
 }
 
 TEST_CASE("a word without a flag is refused") {
     check_refused({
-        {{"picture.png"}, {"picture.png has no flag before it"}},
-        {{"--bare", "yes"}, {"yes has no flag before it"}},
-        {{"--width", "4", "5"}, {"5 has no flag before it"}},
-        {{"--", "5"}, {"-- is not a flag"}},
+        {{"picture.png"}, {"\"picture.png\" has no option before it"}},
+        {{"--bare", "yes"}, {"\"yes\" has no option before it"}},
+        {{"--width", "4", "5"}, {"\"5\" has no option before it"}},
+        {{"--", "5"}, {"\"--\" is not an option"}},
         {{"-1,2,3"}, {"-1,2,3"}},
     });
 }
@@ -327,20 +314,20 @@ TEST_CASE("a flag that is given twice is refused") {
 
 TEST_CASE("a choice that does not exist is refused with those that do") {
     check_refused({
-        {{"--view", "wire"}, {"--view wire is not a choice", "one of light, normal, depth"}},
+        {{"--view", "wire"}, {"--view \"wire\" is not a choice", "one of light, normal, depth"}},
         {{"--view", "dpeth"}, {"did you mean depth?", "one of light, normal, depth"}},
-        {{"--view", "2"}, {"--view 2", "one of light, normal, depth"}},
-        {{"--view", ""}, {"--view ''", "one of light, normal, depth"}},
+        {{"--view", "2"}, {"--view \"2\"", "one of light, normal, depth"}},
+        {{"--view", ""}, {"--view \"\"", "one of light, normal, depth"}},
     });
 }
 
 TEST_CASE("a file to read must exist and be a file, a file to write must have a name") {
     check_refused({
-        {{"--mesh", "no/such.obj"}, {"--mesh no/such.obj does not exist"}},
-        {{"--mesh", "/"}, {"--mesh / is a folder"}},
-        {{"--mesh", ""}, {"--mesh '' does not exist"}},
-        {{"--out", ""}, {"--out"}},
-        {{"--variance", ""}, {"--variance"}},
+        {{"--mesh", "no/such.obj"}, {"--mesh: File does not exist: no/such.obj"}},
+        {{"--mesh", "/"}, {"--mesh: File is actually a directory: /"}},
+        {{"--mesh", ""}, {"--mesh: File does not exist: "}},
+        {{"--out", ""}, {"--out: the name of the file is empty"}},
+        {{"--variance", ""}, {"--variance: the name of the file is empty"}},
     });
 }
 
@@ -365,7 +352,7 @@ TEST_CASE("help opens with name and question, and explains every knob with range
           "--fromX,Y,Zwherethecamerastands,metres[threenumbers;default0,1.25,-4]", "--barethemodelalone",
           "--meshFILEanOBJtorender[defaultnone]",
           "--viewNAMEwhatarayshows[oneoflight,normal,depth;defaultnormal]", "[1to65536;default640]",
-          "[1to65536;default400]", "--samplesNsamplesapixel[1to1048576;default1]", "[0to1024;default0]",
+          "[1to65536;default400]", "--samplesNsamplesperpixel[1to1048576;default1]", "[0to1024;default0]",
           "[0to18446744073709551615;default1]", "--cropX0,Y0,X1,Y1", "default03_test", "--varianceFILE",
           "--quiet", "--help"}) {
         CAPTURE(std::string(expected));

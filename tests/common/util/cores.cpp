@@ -1,4 +1,4 @@
-// Facts about how many cores are used: those that this process may use, not those of the machine.
+// Facts about cores and memory: what this process may use, not what the machine has.
 #include "common/util/cores.h"
 
 #include "common/render/render.h"
@@ -10,6 +10,7 @@
 
 #if defined(__linux__)
 #include <sched.h>
+#include <sys/resource.h>
 #endif
 
 TEST_CASE("a control group's quota is cores, rounded up") {
@@ -33,6 +34,18 @@ TEST_CASE("at least one core may be used, and no more than there are") {
 }
 
 #if defined(__linux__)
+TEST_CASE("a process whose memory is limited may use no more than the limit") {
+    const std::int64_t machine = rt::usable_memory();
+    CHECK(machine > 0);
+    rlimit before{};
+    REQUIRE(getrlimit(RLIMIT_AS, &before) == 0);
+    const rlimit less{rlim_t(machine) - 4096, before.rlim_max};
+    REQUIRE(setrlimit(RLIMIT_AS, &less) == 0); // as `ulimit -v` does
+    const std::int64_t limited = rt::usable_memory();
+    setrlimit(RLIMIT_AS, &before);
+    CHECK(limited == machine - 4096);
+}
+
 TEST_CASE("a process that may use one core renders with one thread") {
     cpu_set_t before, one;
     REQUIRE(sched_getaffinity(0, sizeof before, &before) == 0);
