@@ -5,7 +5,7 @@
 #include "assets/obj_writer.h"
 #include "assets/teapot.h"
 #include "assets/test_card.h"
-#include "common/util/complain.h"
+#include "common/util/report_error.h"
 
 #include <CLI/CLI.hpp>
 
@@ -76,7 +76,7 @@ int run(int argc, char** argv) {
     } catch (const CLI::Success& help) {
         return app.exit(help);
     } catch (const std::exception& problem) {
-        return complain("make_assets", problem.what());
+        return report_error("make_assets", problem.what());
     }
     return 0;
 }

@@ -11,6 +11,7 @@
 #include <string>
 
 using namespace rt;
+using namespace rt::weave;
 
 namespace {
 
@@ -140,7 +141,7 @@ TEST_CASE("Weaving fills the blocks and leaves all else as it is") {
     const std::string page =
         "one\n<!-- listing: a -->\nold\nold\n<!-- end -->\ntwo\n<!-- listing: b -->\n<!-- end -->\n";
     std::string seen;
-    const std::string fresh = woven(page, "docs/x.md", [&](const Block& block, const std::string& now) {
+    const std::string fresh = weave_page(page, "docs/x.md", [&](const Block& block, const std::string& now) {
         seen += now;
         return "new " + block.what + "\n";
     });
@@ -165,12 +166,12 @@ TEST_CASE("Listings, diffs and galleries are made from files, and complain of wh
     std::filesystem::create_directories(root / "steps");
     std::ofstream(root / "steps/a.h") << "int f() {\n    //> do it\n    return 2;\n    //< return 0;\n}\n";
     std::ofstream(root / "steps/b.h") << "int f() {\n    return 3;\n}\n";
-    CHECK(made(root, {"listing", "steps/a.h#f", 0, 0}) == "```cpp\nint f() {\n    return 2;\n}\n```\n");
-    CHECK(made(root, {"diff", "steps/a.h steps/b.h", 0, 0}).find("-    return 2;\n+    return 3;\n") !=
+    CHECK(block_text(root, {"listing", "steps/a.h#f", 0, 0}) == "```cpp\nint f() {\n    return 2;\n}\n```\n");
+    CHECK(block_text(root, {"diff", "steps/a.h steps/b.h", 0, 0}).find("-    return 2;\n+    return 3;\n") !=
           std::string::npos);
-    CHECK_THROWS_AS(made(root, {"diff", "steps/a.h steps/a.h", 0, 0}), Error);
-    CHECK_THROWS_AS(made(root, {"listing", "steps/c.h", 0, 0}), Error);
-    CHECK_THROWS_AS(made(root, {"gallery", "09_none", 0, 0}), Error);
+    CHECK_THROWS_AS(block_text(root, {"diff", "steps/a.h steps/a.h", 0, 0}), Error);
+    CHECK_THROWS_AS(block_text(root, {"listing", "steps/c.h", 0, 0}), Error);
+    CHECK_THROWS_AS(block_text(root, {"gallery", "09_none", 0, 0}), Error);
 }
 
 TEST_CASE("A page counts as changed if its commands do, or steps that it can use, but not for its prose or "

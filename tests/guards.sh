@@ -88,14 +88,14 @@ guard_opening() {
     find "${existing[@]}" -type f -name '*.h' -exec grep -L '^#pragma once' {} + | report "a header says #pragma once"
 }
 
-# 6: nothing reaches a terminal but through common/util/complain.h.
+# 6: nothing reaches a terminal but through common/util/report_error.h.
 guard_printable() {
     local program
     for program in common accel assets tools; do
         [ -d "$program" ] && grep -rnE --include='*.h' --include='*.cpp' \
             'std::cerr|std::clog|std::fputs|fprintf *\( *stderr|"wrote "' "$program"
-    done | grep -v -e '^common/util/complain.cpp:' -e 'printable(' |
-        report "text goes to stderr, and names of files to stdout, through printable() of common/util/complain.h"
+    done | grep -v -e '^common/util/report_error.cpp:' -e 'printable(' |
+        report "text goes to stderr, and names of files to stdout, through printable() of common/util/report_error.h"
 }
 
 check() { # $1: the folder
@@ -147,7 +147,7 @@ self_test() {
     plant "common includes nothing but common" common/math/tree.h "$ok#include \"accel/accel.h\"\n"
     plant "accel includes nothing but common and accel" accel/step.h "$ok#include \"01_spheres/ray.h\"\n"
     plant "accel includes nothing but common and accel" accel/mesh.cpp "// A planted file.\n#include \"assets/mesh.h\"\n"
-    plant "a room of common includes only" common/render/knob.h "$ok#include \"common/cli/options.h\"\n"
+    plant "a room of common includes only" common/render/option.h "$ok#include \"common/cli/options.h\"\n"
     plant "a room of common includes only" common/util/up.h "$ok#include \"common/image/image.h\"\n"
     plant "a lesson header includes no program/" steps/03_mirror/cli.h "$ok#include \"common/cli/options.h\"\n"
     plant "a lesson header includes no program/" steps/03_mirror/scenes.h "$ok#include \"01_spheres/program/options.h\"\n"

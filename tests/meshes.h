@@ -11,22 +11,22 @@
 
 namespace rt {
 
-inline void add_triangle(ObjFile& file, vec3 a, vec3 b, vec3 c) {
+inline void add_triangle(ObjModel& file, vec3 a, vec3 b, vec3 c) {
     const int first = int(file.positions.size());
     file.positions.insert(file.positions.end(), {a, b, c});
     file.triangles.push_back({{{first}, {first + 1}, {first + 2}}});
-    file.materials.push_back(0);
+    file.triangle_materials.push_back(0);
 }
 
-inline ObjFile empty_file() {
-    ObjFile file;
-    file.material_list.resize(1);
+inline ObjModel empty_file() {
+    ObjModel file;
+    file.materials.resize(1);
     return file;
 }
 
 /// Triangles of about this size, strewn over the unit cube.
-inline ObjFile random_triangles(int count, float size, std::uint64_t seed = 1) {
-    ObjFile file = empty_file();
+inline ObjModel random_triangles(int count, float size, std::uint64_t seed = 1) {
+    ObjModel file = empty_file();
     Random random(seed);
     for (int i = 0; i < count; ++i) {
         const vec3 a = random_point(random);
@@ -38,8 +38,8 @@ inline ObjFile random_triangles(int count, float size, std::uint64_t seed = 1) {
 }
 
 /// 2 size^2 triangles that make the unit square of the plane z = .3; its lines of corners are shared.
-inline ObjFile flat_grid(int size) {
-    ObjFile file = empty_file();
+inline ObjModel flat_grid(int size) {
+    ObjModel file = empty_file();
     for (int y = 0; y <= size; ++y)
         for (int x = 0; x <= size; ++x)
             file.positions.push_back({float(x) / float(size), float(y) / float(size), 0.3f});
@@ -48,16 +48,16 @@ inline ObjFile flat_grid(int size) {
             const int a = y * (size + 1) + x, b = a + 1, c = a + size + 1, d = c + 1;
             file.triangles.push_back({{{a}, {b}, {d}}});
             file.triangles.push_back({{{a}, {d}, {c}}});
-            file.materials.insert(file.materials.end(), {0, 0});
+            file.triangle_materials.insert(file.triangle_materials.end(), {0, 0});
         }
     }
     return file;
 }
 
 /// A ball of 20 * 4^level triangles: an icosahedron, each face cut in four, the corners moved to radius 1.
-inline ObjFile icosphere(int level) {
+inline ObjModel icosphere(int level) {
     const float g = (1 + std::sqrt(5.0f)) / 2;
-    ObjFile file = empty_file();
+    ObjModel file = empty_file();
     file.positions = {{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
                       {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
     for (vec3& p : file.positions) p = normalize(p);
@@ -83,14 +83,14 @@ inline ObjFile icosphere(int level) {
     }
     for (const auto& [a, b, c] : faces) {
         file.triangles.push_back({{{a}, {b}, {c}}});
-        file.materials.push_back(0);
+        file.triangle_materials.push_back(0);
     }
     return file;
 }
 
 /// The cube [-1, 1]^3, two triangles a face, eight shared corners, no normals.
-inline ObjFile cube() {
-    ObjFile file = empty_file();
+inline ObjModel cube() {
+    ObjModel file = empty_file();
     for (int i = 0; i < 8; ++i)
         file.positions.push_back(vec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1));
     const std::array<int, 4> faces[] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
@@ -98,20 +98,20 @@ inline ObjFile cube() {
     for (const auto& [a, b, c, d] : faces) {
         file.triangles.push_back({{{a}, {b}, {c}}});
         file.triangles.push_back({{{a}, {c}, {d}}});
-        file.materials.insert(file.materials.end(), {0, 0});
+        file.triangle_materials.insert(file.triangle_materials.end(), {0, 0});
     }
     return file;
 }
 
-inline void transform(ObjFile& file, float scale, vec3 shift) {
+inline void transform(ObjModel& file, float scale, vec3 shift) {
     for (vec3& position : file.positions) position = scale * position + shift;
 }
 
-inline std::vector<Aabb> boxes_of(const ObjFile& file) {
+inline std::vector<Aabb> boxes_of(const ObjModel& file) {
     std::vector<Aabb> boxes;
     for (const auto& triangle : file.triangles) {
         Aabb box;
-        for (const ObjCorner& corner : triangle) extend(box, file.positions[std::size_t(corner.position)]);
+        for (const ObjIndex& corner : triangle) extend(box, file.positions[std::size_t(corner.position)]);
         boxes.push_back(box);
     }
     return boxes;

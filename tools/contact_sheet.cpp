@@ -1,5 +1,5 @@
 // contact_sheet OUT.png A.png B.png ...: many pictures on one sheet, each with its name under it.
-#include "common/util/complain.h"
+#include "common/util/report_error.h"
 #include "common/util/error.h"
 #include "common/image/image_file.h"
 
@@ -139,6 +139,6 @@ int main(int argc, char** argv) {
         rt::write_image(arguments[0], rt::contact_sheet({arguments.begin() + 1, arguments.end()}));
         std::cout << "wrote " << rt::printable(rt::absolute_path(arguments[0])) << "\n";
     } catch (const std::exception& error) {
-        return rt::complain("contact_sheet", error.what());
+        return rt::report_error("contact_sheet", error.what());
     }
 }

@@ -25,7 +25,7 @@ namespace rt {
 
 namespace {
 
-constexpr int longest_side = 65536; // of the whole image; the part that is rendered may be largest_side
+constexpr int max_image_dimension = 65536; // of the whole; the part that is rendered is smaller
 
 template <typename Value>
 std::string text_of(const Value& value) {
@@ -81,7 +81,7 @@ std::vector<Number> parse_list(const std::string& text, std::size_t count, Numbe
 }
 
 Crop parse_crop(const std::string& text, int width, int height) {
-    const std::vector<int> c = parse_list(text, 4, 0, longest_side);
+    const std::vector<int> c = parse_list(text, 4, 0, max_image_dimension);
     if (c.empty() || c[0] >= c[2] || c[2] > width || c[1] >= c[3] || c[3] > height)
         throw Error("--crop " + in_quotes(text) +
                     " is not four whole numbers x0,y0,x1,y1 with 0 <= x0 < x1 <= " + text_of(width) +
@@ -93,7 +93,7 @@ Crop parse_crop(const std::string& text, int width, int height) {
 
 struct Options::Parser {
     CLI::App app;
-    RenderSettings picture;
+    RenderSettings settings;
     std::string crop;  ///< as typed: what fits depends on the image's size, which may come later
     std::string group; ///< of the options that are declared next
     std::deque<std::variant<bool, int, float, dvec3, std::string>> values;
@@ -149,27 +149,27 @@ struct Options::Parser {
 
 void Options::Parser::add_image_options() {
     group = "Image";
-    add_number("width", picture.width, 1, longest_side, "columns of the whole image, in pixels");
-    add_number("height", picture.height, 1, longest_side, "rows of the whole image, in pixels");
-    add_number("samples", picture.samples, 1, 1 << 20, "samples per pixel");
-    add_number("seed", picture.seed, std::uint64_t(0), ~std::uint64_t(0), "another seed, other noise");
+    add_number("width", settings.width, 1, max_image_dimension, "columns of the whole image, in pixels");
+    add_number("height", settings.height, 1, max_image_dimension, "rows of the whole image, in pixels");
+    add_number("samples", settings.samples, 1, 1 << 20, "samples per pixel");
+    add_number("seed", settings.seed, std::uint64_t(0), ~std::uint64_t(0), "another seed, other noise");
     add_text(
         "crop", "X0,Y0,X1,Y1", crop,
         "render only columns x0 <= x < x1 and rows y0 <= y < y1 of the whole, in pixels from the top left "
         "[inside the image; default the whole image]");
     group = "Output";
-    add_text("out", "FILE", picture.out,
+    add_text("out", "FILE", settings.out,
              "the image's file: NAME.png (8-bit sRGB), NAME.hdr (linear light), or NAME for both [default " +
-                 picture.out + "]")
+                 settings.out + "]")
         ->check(not_empty);
-    add_text("variance", "FILE", picture.variance,
+    add_text("variance", "FILE", settings.variance,
              "also write the variance of each pixel's mean luminance: NAME.hdr; needs --samples 2 or more "
              "[default none]")
         ->check(not_empty);
-    add_number("threads", picture.threads, 0, 1024,
+    add_number("threads", settings.threads, 0, 1024,
                "threads to render with; 0: as many as the cores that it may use");
     add("quiet", "", "print only the names of the files written, and errors",
-        [this](const std::string&) { picture.quiet = true; });
+        [this](const std::string&) { settings.quiet = true; });
 }
 
 void Options::Parser::refuse_extras() const {
@@ -186,7 +186,7 @@ void Options::Parser::refuse_extras() const {
                 suggestion(letters, names, "--") + ": --help lists them all");
 }
 
-Options::Options(std::string name, std::string question, RenderSettings picture)
+Options::Options(std::string name, std::string question, RenderSettings settings)
     : parser(std::make_unique<Parser>()) {
     const std::string own_group = "This step's options";
     CLI::App& app = parser->app;
@@ -198,8 +198,8 @@ Options::Options(std::string name, std::string question, RenderSettings picture)
     app.set_help_flag(); // CLI11's own one comes after the values, which then would have to be right
     const auto help = [] { throw CLI::CallForHelp(); };
     app.add_flag_callback("-h,--help", help, "print this")->group(own_group);
-    parser->picture = std::move(picture);
-    if (parser->picture.out.empty()) parser->picture.out = name;
+    parser->settings = std::move(settings);
+    if (parser->settings.out.empty()) parser->settings.out = name;
     parser->add_image_options();
     parser->group = own_group;
 }
@@ -207,16 +207,16 @@ Options::Options(std::string name, std::string question, RenderSettings picture)
 Options::~Options() = default;
 
 template <typename Number>
-const Number& Options::knob(const std::string& name, Number initial, Number low, Number high,
-                            const std::string& help) {
+const Number& Options::option(const std::string& name, Number initial, Number low, Number high,
+                              const std::string& help) {
     Number& value = parser->store(initial);
     parser->add_number(name, value, low, high, help);
     return value;
 }
-template const float& Options::knob(const std::string&, float, float, float, const std::string&);
-template const int& Options::knob(const std::string&, int, int, int, const std::string&);
+template const float& Options::option(const std::string&, float, float, float, const std::string&);
+template const int& Options::option(const std::string&, int, int, int, const std::string&);
 
-const dvec3& Options::knob(const std::string& name, vec3 initial, const std::string& help) {
+const dvec3& Options::option(const std::string& name, vec3 initial, const std::string& help) {
     dvec3& value = parser->store(dvec3(initial));
     const std::string usual = text_of(initial.x) + "," + text_of(initial.y) + "," + text_of(initial.z);
     parser->add(name, "X,Y,Z", help + " [three numbers; default " + usual + "]",
@@ -258,7 +258,7 @@ const int& Options::choice_index(const std::string& name, const std::vector<std:
     return value;
 }
 
-bool Options::given(const std::string& name) const {
+bool Options::is_set(const std::string& name) const {
     const CLI::Option* const option = parser->app.get_option_no_throw("--" + name);
     if (!option) throw std::logic_error("no option is called --" + name);
     return option->count() > 0;
@@ -279,17 +279,17 @@ bool Options::parse(int argc, const char* const* argv) {
         throw Error(error.what());
     }
     parser->refuse_extras(); // after the values: an option that lacks its own may have swallowed the next one
-    RenderSettings& picture = parser->picture;
-    picture.crop = {0, 0, picture.width, picture.height};
-    if (given("crop")) picture.crop = parse_crop(parser->crop, picture.width, picture.height);
-    if (const std::string problem = size_problem(picture.crop); !problem.empty())
+    RenderSettings& settings = parser->settings;
+    settings.crop = {0, 0, settings.width, settings.height};
+    if (is_set("crop")) settings.crop = parse_crop(parser->crop, settings.width, settings.height);
+    if (const std::string problem = size_error(settings.crop); !problem.empty())
         throw Error("the image " + problem +
                     ": make --width and --height smaller, or render a part with --crop");
     return true;
 }
 
-const RenderSettings& Options::picture() const {
-    return parser->picture;
+const RenderSettings& Options::settings() const {
+    return parser->settings;
 }
 
 const std::string& Options::name() const {

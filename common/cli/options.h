@@ -1,4 +1,4 @@
-// Knobs: each is declared once, and is then a command-line flag, a line of --help with its unit, range and
+// Options: each is declared once, and is then a command-line flag, a line of --help with its unit, range and
 // default, and a check of what the user typed.
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace rt {
 
-/// The value of a knob that names one of a few choices; converts to its enum.
+/// The value of an option that names one of a few choices; converts to its enum.
 template <typename Enum>
 class Choice {
   public:
@@ -25,21 +25,21 @@ class Choice {
     const int* index;
 };
 
-/// Declares knobs, then parses a command line. Every knob returns a reference that parse() fills in.
-/// Names carry no dashes: knob("ior", ...) becomes --ior.
+/// Declares options, then parses a command line. Every option returns a reference that parse() fills in.
+/// Names carry no dashes: option("ior", ...) becomes --ior.
 class Options {
   public:
     /// `name` is the program's ("01_spheres"), `question` the sentence that opens its --help,
-    /// `picture` the defaults.
-    Options(std::string name, std::string question, RenderSettings picture);
+    /// `settings` the defaults.
+    Options(std::string name, std::string question, RenderSettings settings);
     ~Options();
 
     /// A float or an int.
     template <typename Number>
-    const Number& knob(const std::string& name, Number initial, Number low, Number high,
-                       const std::string& help);
+    const Number& option(const std::string& name, Number initial, Number low, Number high,
+                         const std::string& help);
     /// Three finite numbers, typed as x,y,z. In double: a model's coordinates may be far from 0.
-    const dvec3& knob(const std::string& name, vec3 initial, const std::string& help);
+    const dvec3& option(const std::string& name, vec3 initial, const std::string& help);
     /// Absent is false.
     const bool& flag(const std::string& name, const std::string& help);
     /// A file that is read, "" if not given; parse() refuses one that does not exist.
@@ -51,14 +51,14 @@ class Options {
         return Choice<Enum>(choice_index(name, names, int(initial), help));
     }
 
-    /// True if the user typed this knob, so that a default may depend on the scene.
-    bool given(const std::string& name) const;
+    /// True if the user typed this option, so that a default may depend on the scene.
+    bool is_set(const std::string& name) const;
 
     /// Throws Error with one line that says what is wrong and what would be right. Answers false after
     /// --help, when all is said and the program should end well.
     bool parse(int argc, const char* const* argv);
 
-    const RenderSettings& picture() const;
+    const RenderSettings& settings() const;
     const std::string& name() const;
 
   private:

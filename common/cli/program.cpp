@@ -3,7 +3,7 @@
 #include "common/cli/program.h"
 
 #include "common/util/huge_page_vector.h"
-#include "common/util/complain.h"
+#include "common/util/report_error.h"
 #include "common/util/error.h"
 #include "common/util/file_bytes.h"
 #include "common/image/image_file.h"
@@ -42,13 +42,13 @@ using Clock = std::chrono::steady_clock;
 
 // ---- stopping ----
 
-std::atomic<const char*> last_words = ""; ///< what Ctrl-C leaves on stderr, complete with its line end
+std::atomic<const char*> stop_message = ""; ///< what Ctrl-C leaves on stderr, complete with its line end
 
 // Runs in the middle of anything: it may only call what POSIX lists as safe in a signal handler. The program
 // then dies of the signal, as it would without a handler, so that a shell sees which one it was.
 extern "C" void stop(int number) {
     discard_unfinished_file();
-    const char* const words = last_words.load();
+    const char* const words = stop_message.load();
 #if defined(_WIN32)
     _write(2, words, unsigned(std::strlen(words)));
 #else
@@ -65,18 +65,18 @@ class StopHandler {
     explicit StopHandler(const std::string& name)
         : start(stderr_is_terminal() ? "\n" : ""), before(start + name + ": stopped: nothing was written\n"),
           during(start + name + ": stopped while writing: each file is either complete or as it was\n") {
-        last_words = before.c_str();
+        stop_message = before.c_str();
         for (std::size_t i = 0; i < signals.size(); ++i) old[i] = std::signal(signals[i], stop);
     }
     ~StopHandler() {
         for (std::size_t i = 0; i < signals.size(); ++i)
             std::signal(signals[i], old[i] == SIG_ERR ? SIG_DFL : old[i]);
-        last_words = "";
+        stop_message = "";
     }
     StopHandler(const StopHandler&) = delete;
     StopHandler& operator=(const StopHandler&) = delete;
 
-    void writing_begins() { last_words = during.c_str(); }
+    void writing_begins() { stop_message = during.c_str(); }
 
   private:
 #if defined(SIGHUP)
@@ -92,7 +92,7 @@ class StopHandler {
 /// A closed stdin, stdout or stderr becomes /dev/null. Left closed, its number would go to the next file that
 /// is opened, and what is meant for the terminal would end up in a picture. What would kill the program where
 /// a write fails becomes an error of that write.
-void make_streams_safe() {
+void reopen_closed_streams() {
 #if !defined(_WIN32)
     int file = open("/dev/null", O_RDWR);
     while (file >= 0 && file <= 2) file = open("/dev/null", O_RDWR);
@@ -139,14 +139,14 @@ bool same_file(const std::string& a, const std::string& b) {
 
 /// Every file that will be written, once all of them can be.
 Outputs checked_outputs(const Options& options) {
-    const RenderSettings& picture = options.picture();
-    const Outputs outputs{picture_files(picture.out, options.name()), picture.variance};
+    const RenderSettings& settings = options.settings();
+    const Outputs outputs{picture_files(settings.out, options.name()), settings.variance};
     for (const std::string& path : outputs.pictures) check_writable(path);
     if (outputs.variance.empty()) return outputs;
     if (ending(outputs.variance) != ".hdr")
         throw Error("--variance " + outputs.variance +
                     " is not an .hdr file: give it a name like variance.hdr");
-    if (picture.samples < 2)
+    if (settings.samples < 2)
         throw Error(
             "--variance needs --samples 2 or more: one sample a pixel says nothing about its variance");
     for (const std::string& path : outputs.pictures)
@@ -170,32 +170,32 @@ std::string counted(int number, const std::string& what) {
     return std::to_string(number) + " " + what + (number == 1 ? "" : "s");
 }
 
-std::string headline(const RenderSettings& picture) {
-    const Crop& c = picture.crop;
-    const bool whole = c.x1 - c.x0 == picture.width && c.y1 - c.y0 == picture.height;
+std::string summary(const RenderSettings& settings) {
+    const Crop& c = settings.crop;
+    const bool whole = c.x1 - c.x0 == settings.width && c.y1 - c.y0 == settings.height;
     return (whole ? "" : format("crop %d,%d to %d,%d of ", c.x0, c.y0, c.x1, c.y1)) +
-           format("%d x %d, ", picture.width, picture.height) + counted(picture.samples, "sample") +
-           " a pixel, seed " + std::to_string(picture.seed) + ", " +
-           counted(thread_count(picture), "thread") + "\n";
+           format("%d x %d, ", settings.width, settings.height) + counted(settings.samples, "sample") +
+           " a pixel, seed " + std::to_string(settings.seed) + ", " +
+           counted(thread_count(settings), "thread") + "\n";
 }
 
-std::string cost(const Tally& tally, double seconds) {
-    const double rays = double(tally.rays);
-    std::string text = format("time %.2f s, ", seconds) + std::to_string(tally.rays) +
+std::string cost(const RayStats& ray_stats, double seconds) {
+    const double rays = double(ray_stats.rays);
+    std::string text = format("time %.2f s, ", seconds) + std::to_string(ray_stats.rays) +
                        format(" rays, %.2f million rays a second\n", rays / std::max(seconds, 1e-9) * 1e-6);
-    if (tally.rays > 0 && tally.box_tests + tally.triangle_tests > 0)
-        text += format("box tests a ray %.1f, triangle tests a ray %.1f\n", double(tally.box_tests) / rays,
-                       double(tally.triangle_tests) / rays);
+    if (ray_stats.rays > 0 && ray_stats.box_tests + ray_stats.triangle_tests > 0)
+        text += format("box tests a ray %.1f, triangle tests a ray %.1f\n",
+                       double(ray_stats.box_tests) / rays, double(ray_stats.triangle_tests) / rays);
     return text;
 }
 
-void warn_not_finite(const std::string& program, const Film& film) {
-    if (film.not_finite == 0) return;
-    print_error_line(program + ": warning: " + std::to_string(film.not_finite) +
-                     (film.not_finite == 1 ? " sample is" : " samples are") +
-                     " not finite, the first at pixel " + std::to_string(film.first_x) + "," +
-                     std::to_string(film.first_y) + " sample " + std::to_string(film.first_sample + 1) +
-                     ": their pixels are magenta");
+void warn_of_invalid_samples(const std::string& program, const Film& film) {
+    if (film.invalid_samples == 0) return;
+    print_error_line(program + ": warning: " + std::to_string(film.invalid_samples) +
+                     (film.invalid_samples == 1 ? " sample is" : " samples are") +
+                     " not finite, the first at pixel " + std::to_string(film.first_invalid.x) + "," +
+                     std::to_string(film.first_invalid.y) + " sample " +
+                     std::to_string(film.first_invalid.sample + 1) + ": their pixels are magenta");
 }
 
 // ---- the run ----
@@ -205,15 +205,15 @@ double seconds_since(Clock::time_point start) {
 }
 
 /// Prints a line at once, unless --quiet.
-void say(const RenderSettings& picture, const std::string& line) {
-    if (!picture.quiet) std::cout << line << std::flush;
+void print(const RenderSettings& settings, const std::string& line) {
+    if (!settings.quiet) std::cout << line << std::flush;
 }
 
 /// Renders with a progress bar; answers the film and says how long it took.
-Film timed_render(const RenderSettings& picture, const SampleFunction& radiance, double& seconds) {
+Film timed_render(const RenderSettings& settings, const SampleFunction& radiance, double& seconds) {
     const Clock::time_point start = Clock::now();
-    Progress bar(picture.quiet);
-    Film film = render(picture, radiance, [&bar](float share) { bar.show(share); });
+    Progress bar(settings.quiet);
+    Film film = render(settings, radiance, [&bar](float share) { bar.show(share); });
     seconds = seconds_since(start);
     return film;
 }
@@ -256,7 +256,7 @@ int write_outputs(const std::string& program, const Outputs& outputs, const Film
             const std::string fate = place.empty()
                                          ? "; no other folder takes the new picture either, and it is lost"
                                          : "; the new picture is " + place;
-            code = complain(program, explained(problem) + fate);
+            code = report_error(program, explained(problem) + fate);
         }
         if (!place.empty()) wrote += "wrote " + printable(place) + "\n";
     };
@@ -267,25 +267,26 @@ int write_outputs(const std::string& program, const Outputs& outputs, const Film
 }
 
 /// Returns the exit code.
-int run(const Options& options, const std::function<void(const RenderCall&)>& body,
-        const std::string& own_headers, StopHandler& handler) {
-    const RenderSettings& picture = options.picture();
+int run(const Options& options, const std::function<void(const RenderFunction&)>& body,
+        const std::string& overridden_headers, StopHandler& handler) {
+    const RenderSettings& settings = options.settings();
     const Outputs outputs = checked_outputs(options);
-    say(picture, headline(picture));
-    if (!own_headers.empty()) say(picture, "using your " + printable(own_headers) + "\n");
-    HugePageVector<char> spare; // what the writing will need: better refused now than when the picture is finished
-    spare.reserve(memory_to_write(picture.crop.x1 - picture.crop.x0, picture.crop.y1 - picture.crop.y0));
+    print(settings, summary(settings));
+    if (!overridden_headers.empty()) print(settings, "using your " + printable(overridden_headers) + "\n");
+    HugePageVector<char>
+        spare; // what the writing will need: better refused now than when the picture is finished
+    spare.reserve(memory_to_write(settings.crop.x1 - settings.crop.x0, settings.crop.y1 - settings.crop.y0));
     std::optional<Film> film;
     double render_seconds = 0;
     const Clock::time_point start = Clock::now();
     body([&](const SampleFunction& radiance) {
         if (film) throw std::logic_error("main.cpp calls render() twice");
-        if (seconds_since(start) > 0.1) say(picture, format("scene %.2f s\n", seconds_since(start)));
-        film = timed_render(picture, radiance, render_seconds);
+        if (seconds_since(start) > 0.1) print(settings, format("scene %.2f s\n", seconds_since(start)));
+        film = timed_render(settings, radiance, render_seconds);
     });
     if (!film) throw std::logic_error("main.cpp never calls render()");
-    warn_not_finite(options.name(), *film);
-    say(picture, cost(film->tally, render_seconds));
+    warn_of_invalid_samples(options.name(), *film);
+    print(settings, cost(film->ray_stats, render_seconds));
     handler.writing_begins();
     spare = HugePageVector<char>();
     return write_outputs(options.name(), outputs, *film);
@@ -294,21 +295,22 @@ int run(const Options& options, const std::function<void(const RenderCall&)>& bo
 } // namespace
 
 int run_program(Options& options, int argc, const char* const* argv,
-                const std::function<void(const RenderCall& render)>& body, const std::string& own_headers) {
-    make_streams_safe();
+                const std::function<void(const RenderFunction& render)>& body,
+                const std::string& overridden_headers) {
+    reopen_closed_streams();
     StopHandler handler(options.name());
     try {
         int code = 0;
         if (options.parse(argc, argv)) {
-            set_thread_count(options.picture().threads);
-            code = run(options, body, own_headers, handler);
+            set_thread_count(options.settings().threads);
+            code = run(options, body, overridden_headers, handler);
         }
         if (!std::cout.flush())
             throw Error(
                 "stdout takes no more text (is the disk full, or did the reader leave?); all else went well");
         return code;
     } catch (const std::exception& problem) {
-        return complain(options.name(), explained(problem));
+        return report_error(options.name(), explained(problem));
     }
 }
 

@@ -5,7 +5,7 @@
 #include "common/image/hdr_format.h"
 #include "common/image/image_file.h"
 #include "common/image/jpeg_format.h"
-#include "common/image/picture_kind.h"
+#include "common/image/image_kind.h"
 #include "common/image/stb_memory.h"
 
 #define STBI_NO_STDIO
@@ -19,7 +19,7 @@
 namespace rt {
 namespace {
 
-constexpr std::uintmax_t largest_file = std::uintmax_t(1) << 30; // stb counts bytes in an int
+constexpr std::uintmax_t max_file_bytes = std::uintmax_t(1) << 30; // stb counts bytes in an int
 
 Error undecodable() {
     if (stb_memory.was_refused) return Error("is damaged (it holds more data than a picture of its size)");
@@ -92,14 +92,14 @@ Bitmap load_all(const std::string& bytes, Load load) {
     return unpacked(values.get(), header);
 }
 
-Bitmap decode_with_stb(PictureKind kind, std::string& bytes, std::int64_t pixels_left) {
+Bitmap decode_with_stb(ImageKind kind, std::string& bytes, std::int64_t pixels_left) {
     stb_memory = {};
     const Header header = header_of(bytes);
-    if (const std::string why = size_problem(header.width, header.height, pixels_left); !why.empty())
+    if (const std::string why = size_error(header.width, header.height, pixels_left); !why.empty())
         throw Error(why);
-    if (kind == PictureKind::png) bytes = mended_png(bytes);
-    if (kind == PictureKind::bmp) bytes = mended_bmp(bytes, header.width, header.height);
-    if (kind == PictureKind::tga) check_tga(bytes, header.width, header.height);
+    if (kind == ImageKind::png) bytes = mended_png(bytes);
+    if (kind == ImageKind::bmp) bytes = mended_bmp(bytes, header.width, header.height);
+    if (kind == ImageKind::tga) check_tga(bytes, header.width, header.height);
     stb_memory.largest_block = largest_block(header, bytes.size());
     if (header.is_deep) return load_all<std::uint16_t>(bytes, stbi_load_16_from_memory);
     return load_all<std::uint8_t>(bytes, stbi_load_from_memory);
@@ -107,7 +107,7 @@ Bitmap decode_with_stb(PictureKind kind, std::string& bytes, std::int64_t pixels
 
 Bitmap decode_jpeg(std::string& bytes, std::int64_t pixels_left) {
 #if defined(RT_STB_JPEG) && RT_STB_JPEG
-    Bitmap bitmap = decode_with_stb(PictureKind::jpeg, bytes, pixels_left);
+    Bitmap bitmap = decode_with_stb(ImageKind::jpeg, bytes, pixels_left);
 #else
     Bitmap bitmap = decode_with_libjpeg(bytes, pixels_left);
 #endif
@@ -129,13 +129,13 @@ Bitmap bitmap_of(const Image& image) {
 } // namespace
 
 Bitmap read_bitmap(const std::string& path, std::int64_t pixels_left) {
-    std::string bytes = read_file(path, largest_file);
+    std::string bytes = read_file(path, max_file_bytes);
     if (bytes.empty()) throw Error(path + ": is empty");
     try {
-        const PictureKind kind = picture_kind(path, bytes);
-        if (kind == PictureKind::hdr) return bitmap_of(decode_hdr(bytes, pixels_left));
-        if (kind == PictureKind::jpeg) return decode_jpeg(bytes, pixels_left);
-        if (kind == PictureKind::unknown)
+        const ImageKind kind = image_kind_of(path, bytes);
+        if (kind == ImageKind::hdr) return bitmap_of(decode_hdr(bytes, pixels_left));
+        if (kind == ImageKind::jpeg) return decode_jpeg(bytes, pixels_left);
+        if (kind == ImageKind::unknown)
             throw Error("is damaged or not a PNG, JPEG, TGA, BMP or HDR picture; save it as PNG again");
         return decode_with_stb(kind, bytes, pixels_left);
     } catch (const Error& problem) {

@@ -137,7 +137,7 @@ Image decode_header(Reader& reader, std::int64_t pixels_left, Exposure& exposure
     std::string_view size = reader.line();
     const int height = size_after(size, "-Y ");
     const int width = size_after(size, " +X ");
-    if (const std::string why = size_problem(width, height, pixels_left); !why.empty()) throw Error(why);
+    if (const std::string why = size_error(width, height, pixels_left); !why.empty()) throw Error(why);
     // A run says at most 127 values in two bytes: so a small file cannot ask for a large picture.
     if (reader.rest.size() / 2 < std::size_t(width) * std::size_t(height) * 4 / 128)
         throw Error("is cut short");

@@ -22,8 +22,8 @@ vec3 linear_from_rgbe(Rgbe rgbe);
 std::string encode_hdr(const Image& image);
 
 /// Radiance: what EXPOSURE and COLORCORR lines multiplied the pixels by is divided out again. Throws Error
-/// with the reason for what is damaged, cut short or too large (see size_problem()). Never reads past the
+/// with the reason for what is damaged, cut short or too large (see size_error()). Never reads past the
 /// end.
-Image decode_hdr(std::string_view bytes, std::int64_t pixels_left = most_pixels);
+Image decode_hdr(std::string_view bytes, std::int64_t pixels_left = max_pixels);
 
 } // namespace rt

@@ -17,7 +17,7 @@
 namespace rt {
 namespace {
 
-constexpr std::uintmax_t largest_file = std::uintmax_t(1) << 30; // stb counts bytes in an int
+constexpr std::uintmax_t max_file_bytes = std::uintmax_t(1) << 30; // stb counts bytes in an int
 
 std::string lower_ending(const std::string& path) {
     std::string ending = std::filesystem::path(path).extension().string();
@@ -74,18 +74,18 @@ Image decode_linear(const std::string& path, const std::string& bytes) {
 
 } // namespace
 
-std::string size_problem(int width, int height, std::int64_t pixels_left) {
+std::string size_error(int width, int height, std::int64_t pixels_left) {
     const std::string size = std::to_string(width) + " x " + std::to_string(height);
     const auto millions = [](std::int64_t pixels) { return std::to_string(pixels / 1'000'000) + " million"; };
     const std::int64_t pixels = std::int64_t(width) * height;
     if (width < 1 || height < 1) return "has no pixels (" + size + ")";
-    if (width > largest_side || height > largest_side)
-        return "is too large (" + size + ", at most " + std::to_string(largest_side) + " a side)";
-    if (pixels > most_pixels)
-        return "is too large (" + size + ", at most " + millions(most_pixels) + " pixels)";
+    if (width > max_dimension || height > max_dimension)
+        return "is too large (" + size + ", at most " + std::to_string(max_dimension) + " a side)";
+    if (pixels > max_pixels)
+        return "is too large (" + size + ", at most " + millions(max_pixels) + " pixels)";
     if (pixels > pixels_left)
         return "is too large (" + size + ": all textures of a model may have " +
-               millions(most_texture_pixels) + " pixels together, or 2 GB, and " + millions(pixels_left) +
+               millions(max_texture_pixels) + " pixels together, or 2 GB, and " + millions(pixels_left) +
                " are left)";
     return "";
 }
@@ -97,7 +97,7 @@ void check_writable(const std::string& path) {
 
 void write_image(const std::string& path, const Image& image) {
     check_ending(path);
-    if (const std::string why = size_problem(image.width, image.height); !why.empty())
+    if (const std::string why = size_error(image.width, image.height); !why.empty())
         throw Error(path + ": the picture " + why);
     write_file(path, lower_ending(path) == ".png" ? encode_png(path, image) : encode_hdr(image));
 }
@@ -109,7 +109,7 @@ std::size_t memory_to_write(int width, int height) {
 }
 
 Image read_image(const std::string& path) {
-    if (lower_ending(path) == ".hdr") return decode_linear(path, read_file(path, largest_file));
+    if (lower_ending(path) == ".hdr") return decode_linear(path, read_file(path, max_file_bytes));
     const Bitmap bitmap = read_bitmap(path);
     if (!bitmap.flaw.empty()) throw Error(path + ": " + bitmap.flaw);
     static const std::vector<float> linear = linear_table();

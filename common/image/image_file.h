@@ -12,15 +12,15 @@
 namespace rt {
 
 /// What this program reads and writes at most; also what a render may ask for.
-inline constexpr int largest_side = 1 << 14;
-inline constexpr std::int64_t most_pixels = std::int64_t(1) << 27;
+inline constexpr int max_dimension = 1 << 14;
+inline constexpr std::int64_t max_pixels = std::int64_t(1) << 27;
 
 /// All textures of a model together: 18 bytes per pixel, 6 here and 12 as linear colours, make 2 GB.
-inline constexpr std::int64_t most_texture_pixels = (std::int64_t(1) << 31) / 18;
+inline constexpr std::int64_t max_texture_pixels = (std::int64_t(1) << 31) / 18;
 
 /// Why a picture of this size is not read or written, in words; empty if it is. A texture may have no more
-/// than `pixels_left` of most_texture_pixels.
-std::string size_problem(int width, int height, std::int64_t pixels_left = most_pixels);
+/// than `pixels_left` of max_texture_pixels.
+std::string size_error(int width, int height, std::int64_t pixels_left = max_pixels);
 
 /// Bytes or 16-bit words as a file holds them, before anyone has decided what they mean, row by row from the
 /// top.
@@ -63,8 +63,8 @@ Image read_image(const std::string& path);
 
 /// A PNG, JPEG, TGA, BMP as it stands in the file, or an .hdr by the sRGB curve, clamped to 1. Alpha that
 /// is 0 everywhere (as in many TGA files) counts for nothing. Throws Error, before memory is taken, for a
-/// size that size_problem() refuses, and for a file that is damaged; a cut JPEG is read as far as it goes.
-Bitmap read_bitmap(const std::string& path, std::int64_t pixels_left = most_pixels);
+/// size that size_error() refuses, and for a file that is damaged; a cut JPEG is read as far as it goes.
+Bitmap read_bitmap(const std::string& path, std::int64_t pixels_left = max_pixels);
 
 /// `path` made absolute, for printing.
 std::string absolute_path(const std::string& path);

@@ -111,7 +111,7 @@ Bitmap decode_with_libjpeg(std::string_view bytes, std::int64_t pixels_left) {
     const auto* const data = reinterpret_cast<const unsigned char*>(bytes.data());
     if (!read_header(decoder, data, static_cast<unsigned long>(bytes.size()))) throw undecodable(decoder);
     const std::size_t width = decoder.info.image_width, height = decoder.info.image_height;
-    if (const std::string why = size_problem(int(width), int(height), pixels_left); !why.empty())
+    if (const std::string why = size_error(int(width), int(height), pixels_left); !why.empty())
         throw Error(why);
     const int components = decoder.info.num_components;
     if (components != 1 && components != 3 && components != 4) throw undecodable(decoder);

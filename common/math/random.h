@@ -12,13 +12,13 @@ namespace rt {
 /// Hands out uniform numbers in [0, 1), one or two at a time: all that code which leaves things to chance
 /// asks for.
 template <typename T>
-concept UniformSource = requires(T& source) {
+concept RandomSource = requires(T& source) {
     { source.uniform() } -> std::same_as<float>;
     { source.uniform2() } -> std::same_as<vec2>;
 };
 
 /// The finaliser of SplitMix64 (Steele, Lea and Flood, OOPSLA 2014): a bijection that scatters all 64 bits.
-constexpr std::uint64_t scatter(std::uint64_t bits) {
+constexpr std::uint64_t mix64(std::uint64_t bits) {
     bits = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9u;
     bits = (bits ^ (bits >> 27)) * 0x94d049bb133111ebu;
     return bits ^ (bits >> 31);
@@ -28,14 +28,14 @@ constexpr std::uint64_t scatter(std::uint64_t bits) {
 /// ever waits for another.
 class Random {
   public:
-    explicit constexpr Random(std::uint64_t key) : state(scatter(key)) {}
+    explicit constexpr Random(std::uint64_t key) : state(mix64(key)) {}
 
     /// The stream of sample `sample` of pixel (x, y): x, y in [0, 2^20), sample in [0, 2^24).
     constexpr Random(int x, int y, int sample, std::uint64_t seed)
-        : Random(scatter(seed) ^ (std::uint64_t(y) << 44 | std::uint64_t(x) << 24 | std::uint64_t(sample))) {}
+        : Random(mix64(seed) ^ (std::uint64_t(y) << 44 | std::uint64_t(x) << 24 | std::uint64_t(sample))) {}
 
     /// 64 random bits: SplitMix64 (the same paper), a counter with an odd step, scattered.
-    constexpr std::uint64_t bits() { return scatter(state += 0x9e3779b97f4a7c15u); }
+    constexpr std::uint64_t bits() { return mix64(state += 0x9e3779b97f4a7c15u); }
 
     /// A number in [0, 1): 24 bits, all that a float holds, so that it never rounds up to 1.
     constexpr float uniform() { return float(bits() >> 40) * 0x1p-24f; }
@@ -50,6 +50,6 @@ class Random {
   private:
     std::uint64_t state;
 };
-static_assert(UniformSource<Random>);
+static_assert(RandomSource<Random>);
 
 } // namespace rt

@@ -42,14 +42,14 @@ class Materials {
     std::set<std::string> names; ///< of the libraries so far
 };
 
-/// Each chunk's faces into triangles. `file.materials` holds numbers in `materials.list` then.
-void cut_faces(std::deque<ParsedChunk>& chunks, Materials& materials, Triangles& triangles) {
+/// Each chunk's faces into triangles. `file.triangle_materials` holds numbers in `materials.list` then.
+void triangulate_faces(std::deque<ParsedChunk>& chunks, Materials& materials, Triangles& triangles) {
     int smoothing = -1;
     for (ParsedChunk& kept : chunks) {
         const ParsedChunk chunk = std::move(kept); // and its memory is given back
         auto material = chunk.material_lines.begin();
         auto group = chunk.smoothing_lines.begin();
-        const ObjCorner* corner = chunk.corners.data();
+        const ObjIndex* corner = chunk.corners.data();
         for (std::size_t face = 0; face < chunk.face_sizes.size(); ++face) {
             while (material != chunk.material_lines.end() && material->face == face)
                 materials.read(*material++);
@@ -63,10 +63,10 @@ void cut_faces(std::deque<ParsedChunk>& chunks, Materials& materials, Triangles&
 }
 
 /// Converts the materials that are used, in the order of their files; the default, if it is used, comes last.
-void keep_used_materials(const std::string& path, const Materials& materials, ObjFile& file) {
+void keep_used_materials(const std::string& path, const Materials& materials, ObjModel& file) {
     const std::size_t count = materials.list.size(); // stands for the default, which is called -1 so far
     std::vector<int> number(count + 1, -1);
-    for (int& material : file.materials) {
+    for (int& material : file.triangle_materials) {
         if (material < 0) material = int(count);
         number[std::size_t(material)] = 0;
     }
@@ -75,11 +75,12 @@ void keep_used_materials(const std::string& path, const Materials& materials, Ob
     TextureLoader textures(path);
     for (std::size_t i = 0; i <= count; ++i) {
         if (number[i] < 0) continue;
-        number[i] = int(file.material_list.size());
-        file.material_list.push_back(
-            i < count ? converted(materials.list[i], materials.libraries.file_of(i), textures) : plain);
+        number[i] = int(file.materials.size());
+        file.materials.push_back(
+            i < count ? convert_material(materials.list[i], materials.libraries.file_of(i), textures)
+                      : plain);
     }
-    for (int& material : file.materials) material = number[std::size_t(material)];
+    for (int& material : file.triangle_materials) material = number[std::size_t(material)];
     file.textures = std::move(textures.bitmaps);
     file.masks = std::move(textures.masks);
     textures.unfollowed.tell();
@@ -116,16 +117,16 @@ void warn_of_skipped(const std::string& path, const SkippedLines& skipped) {
 
 } // namespace
 
-ObjFile read_obj(const std::string& path, const ObjReading& reading) {
-    ObjFile file;
+ObjModel read_obj(const std::string& path, const ObjReadOptions& reading) {
+    ObjModel file;
     std::deque<ParsedChunk> chunks = read_chunks(path, reading);
     const ObjSummary summary = join_chunks(path, chunks, file);
     file.triangles.reserve(summary.corners - 2 * summary.faces);
-    file.materials.reserve(summary.corners - 2 * summary.faces);
+    file.triangle_materials.reserve(summary.corners - 2 * summary.faces);
 
     Materials materials(path);
     Triangles triangles(file, summary.has_smoothing);
-    cut_faces(chunks, materials, triangles);
+    triangulate_faces(chunks, materials, triangles);
     warn_of_unknown_materials(path, summary, materials);
     warn_of_skipped(path, summary.skipped);
     if (file.triangles.empty()) throw Error(path + ": none of its faces has an area");

@@ -18,34 +18,34 @@ struct ObjMaterial {
     float reflectivity = 0; ///< in [0, 1]: the mean of Ks where illum asks for reflection (3, 5, 8), or Pm
     float ior = 1;          ///< Ni, index of refraction, in [1, 4]
     bool glass = false;     ///< refraction is asked for: illum 4, 6, 7 or 9, or d < 1 together with Ni > 1
-    int texture = -1;       ///< map_Kd: index into ObjFile::textures, -1 for none
-    int mask = -1;          ///< map_d, or the alpha of map_Kd: index into ObjFile::masks, -1 for no holes
+    int texture = -1;       ///< map_Kd: index into ObjModel::textures, -1 for none
+    int mask = -1;          ///< map_d, or the alpha of map_Kd: index into ObjModel::masks, -1 for no holes
 };
 
 /// One corner of a face: indices into the arrays, -1 where the file gives none.
-struct ObjCorner {
+struct ObjIndex {
     int position = -1;
     int uv = -1;
     int normal = -1;
 };
 
 /// Every index is in range and every number finite: whoever reads these arrays need not look again.
-struct ObjFile {
+struct ObjModel {
     glm::dvec3 origin{0}; ///< the point of the file's coordinates that is (0, 0, 0) in `positions`
     std::vector<vec3> positions;
     std::vector<vec3> normals; ///< as given: not necessarily of unit length, never zero
     std::vector<vec2> uvs;
     std::vector<vec3> colors; ///< one per position: linear RGB in [0, 1]; empty if the file gives none
-    std::vector<std::array<ObjCorner, 3>> triangles; ///< polygons cut into triangles, counter-clockwise kept
-    std::vector<int> smoothing_groups;               ///< one per triangle: 0 flat, -1 not stated; or empty
-    std::vector<int> materials;                      ///< one a triangle: index into `material_list`
-    std::vector<ObjMaterial> material_list;          ///< at least one
-    std::vector<Bitmap> textures;                    ///< a missing one is a magenta checker
-    std::vector<Mask> masks;                         ///< each has a hole somewhere
+    std::vector<std::array<ObjIndex, 3>> triangles; ///< polygons cut into triangles, counter-clockwise kept
+    std::vector<int> smoothing_groups;              ///< one per triangle: 0 flat, -1 not stated; or empty
+    std::vector<int> triangle_materials;            ///< one per triangle: index into `materials`
+    std::vector<ObjMaterial> materials;             ///< at least one
+    std::vector<Bitmap> textures;                   ///< a missing one is a magenta checker
+    std::vector<Mask> masks;                        ///< each has a hole somewhere
 };
 
 /// How the work of reading is divided; the result does not depend on it.
-struct ObjReading {
+struct ObjReadOptions {
     int threads = 0;                                ///< 0: one for each core
     std::size_t chunk_bytes = std::size_t(1) << 20; ///< of text that a thread takes at a time, at least 1
 };
@@ -56,6 +56,6 @@ struct ObjReading {
 /// one line each. Throws Error, with file and line where it can be known, for a file that is missing, a
 /// folder, empty of faces or not OBJ at all, a position that does not exist or is not finite, a face of fewer
 /// than three corners, a model smaller than 1e-15 or larger than 1e16.
-ObjFile read_obj(const std::string& path, const ObjReading& reading = {});
+ObjModel read_obj(const std::string& path, const ObjReadOptions& reading = {});
 
 } // namespace rt

@@ -14,7 +14,7 @@ namespace rt {
 namespace {
 
 constexpr std::string_view columns = "material,x,y,z,radius,red,green,blue,fuzz_or_ior";
-constexpr std::uintmax_t most_bytes = std::uintmax_t(1) << 30;
+constexpr std::uintmax_t max_bytes = std::uintmax_t(1) << 30;
 
 /// What stands between the commas, without blanks around it.
 std::vector<std::string> split(std::string_view line) {
@@ -30,7 +30,7 @@ std::vector<std::string> split(std::string_view line) {
 }
 
 /// One line of the file, taken apart.
-struct Row {
+struct CsvRow {
     const std::string& path;
     int line;
     std::vector<std::string> words;
@@ -49,15 +49,15 @@ struct Row {
     }
 };
 
-ListedSphere::Kind kind_of(const Row& row) {
+SphereRecord::Kind kind_of(const CsvRow& row) {
     const std::string& word = row.words[0];
-    if (word == "lambertian") return ListedSphere::Kind::matte;
-    if (word == "metal") return ListedSphere::Kind::metal;
-    if (word == "dielectric") return ListedSphere::Kind::glass;
+    if (word == "lambertian") return SphereRecord::Kind::matte;
+    if (word == "metal") return SphereRecord::Kind::metal;
+    if (word == "dielectric") return SphereRecord::Kind::glass;
     row.refuse("material " + in_quotes(word) + " is not one of lambertian, metal, dielectric");
 }
 
-ListedSphere sphere_of(const Row& row) {
+SphereRecord sphere_of(const CsvRow& row) {
     const std::size_t count = split(columns).size();
     if (row.words.size() != count)
         row.refuse("has " + std::to_string(row.words.size()) + " values, not the " + std::to_string(count) +
@@ -66,27 +66,27 @@ ListedSphere sphere_of(const Row& row) {
         return row.number(column, -1e6f, 1e6f, "-1000000 to 1000000");
     };
     const auto colour = [&](std::size_t column) { return row.number(column, 0, 1, "0 to 1"); };
-    ListedSphere sphere{.kind = kind_of(row)};
+    SphereRecord sphere{.kind = kind_of(row)};
     sphere.center = {place(1), place(2), place(3)};
     sphere.radius = row.number(4, 1e-6f, 1e6f, "0.000001 to 1000000");
     sphere.albedo = {colour(5), colour(6), colour(7)};
-    if (sphere.kind == ListedSphere::Kind::metal) sphere.fuzz = row.number(8, 0, 1, "a fuzz of 0 to 1");
-    if (sphere.kind == ListedSphere::Kind::glass) sphere.ior = row.number(8, 1, 10, "an index of 1 to 10");
+    if (sphere.kind == SphereRecord::Kind::metal) sphere.fuzz = row.number(8, 0, 1, "a fuzz of 0 to 1");
+    if (sphere.kind == SphereRecord::Kind::glass) sphere.ior = row.number(8, 1, 10, "an index of 1 to 10");
     return sphere;
 }
 
 } // namespace
 
-std::vector<ListedSphere> read_sphere_list(const std::string& path) {
-    std::string text = read_file(path, most_bytes);
+std::vector<SphereRecord> read_sphere_list(const std::string& path) {
+    std::string text = read_file(path, max_bytes);
     blank_byte_order_mark(text);
     unify_line_ends(text);
-    std::vector<ListedSphere> spheres;
+    std::vector<SphereRecord> spheres;
     bool named = false; // the columns
     int line = 0;
     for (std::size_t begin = 0; begin < text.size();) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());
-        const Row row{path, ++line, split(std::string_view(text).substr(begin, end - begin))};
+        const CsvRow row{path, ++line, split(std::string_view(text).substr(begin, end - begin))};
         begin = end + 1;
         if (row.words == std::vector<std::string>{""}) continue;
         if (named) spheres.push_back(sphere_of(row));

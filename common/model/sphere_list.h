@@ -9,7 +9,7 @@
 
 namespace rt {
 
-struct ListedSphere {
+struct SphereRecord {
     enum class Kind { matte, metal, glass };
     Kind kind = Kind::matte;
     vec3 center{0};
@@ -22,6 +22,6 @@ struct ListedSphere {
 /// The first line names the columns: material,x,y,z,radius,red,green,blue,fuzz_or_ior. Each further line is a
 /// ball; its material is lambertian, metal or dielectric. Throws Error with path and line for what is not
 /// that.
-std::vector<ListedSphere> read_sphere_list(const std::string& path);
+std::vector<SphereRecord> read_sphere_list(const std::string& path);
 
 } // namespace rt

@@ -46,19 +46,19 @@ struct Tiles {
     }
 };
 
-int requested_threads(const RenderSettings& picture) {
-    return picture.threads > 0 ? picture.threads : usable_cores();
+int requested_threads(const RenderSettings& settings) {
+    return settings.threads > 0 ? settings.threads : usable_cores();
 }
 
 /// An empty crop, which a RenderSettings has until a command line is parsed, stands for the whole.
-Crop rendered_part(const RenderSettings& picture) {
-    const bool empty = picture.crop.x1 == 0 && picture.crop.y1 == 0;
-    return empty ? Crop{0, 0, picture.width, picture.height} : picture.crop;
+Crop crop_window(const RenderSettings& settings) {
+    const bool empty = settings.crop.x1 == 0 && settings.crop.y1 == 0;
+    return empty ? Crop{0, 0, settings.width, settings.height} : settings.crop;
 }
 
-Tiles tiles_of(const RenderSettings& picture) {
-    const Crop part = rendered_part(picture);
-    return {part, tile_side(part, requested_threads(picture))};
+Tiles tiles_of(const RenderSettings& settings) {
+    const Crop part = crop_window(settings);
+    return {part, tile_side(part, requested_threads(settings))};
 }
 
 /// The samples of one pixel, in order. In doubles a sum of 2^20 equal floats is exact: constants stay.
@@ -85,28 +85,28 @@ class PixelSum {
 };
 
 /// What one thread has found besides colours.
-struct Findings {
-    std::uint64_t not_finite = 0;
+struct ThreadResult {
+    std::uint64_t invalid_samples = 0;
     int y = std::numeric_limits<int>::max(), x = 0, sample = 0; ///< the first one's place
-    Tally tally;
+    RayStats ray_stats;
 
     void keep_first(int other_y, int other_x, int other_sample) {
         if (std::tie(other_y, other_x, other_sample) < std::tie(y, x, sample))
             std::tie(y, x, sample) = std::tie(other_y, other_x, other_sample);
     }
-    Findings& operator+=(const Findings& other) {
-        not_finite += other.not_finite;
+    ThreadResult& operator+=(const ThreadResult& other) {
+        invalid_samples += other.invalid_samples;
         keep_first(other.y, other.x, other.sample);
-        tally += other.tally;
+        ray_stats += other.ray_stats;
         return *this;
     }
 };
 
-class Job {
+class RenderJob {
   public:
-    Job(const RenderSettings& wanted, const SampleFunction& function,
-        const std::function<void(float)>& report)
-        : picture(wanted), tiles(tiles_of(wanted)), radiance(function), progress(report) {
+    RenderJob(const RenderSettings& wanted, const SampleFunction& function,
+              const std::function<void(float)>& report)
+        : settings(wanted), tiles(tiles_of(wanted)), radiance(function), progress(report) {
         film.mean = Image(tiles.crop.x1 - tiles.crop.x0, tiles.crop.y1 - tiles.crop.y0);
         film.variance = Image(film.mean.width, film.mean.height);
     }
@@ -114,13 +114,13 @@ class Job {
     Film run(int threads);
 
   private:
-    void render_pixel(int x, int y, Findings& found);
-    void render_tile(const Crop& tile, Findings& found);
+    void render_pixel(int x, int y, ThreadResult& found);
+    void render_tile(const Crop& tile, ThreadResult& found);
     void finish_tile();
     void work() noexcept;
     void start(std::vector<std::thread>& workers, int threads);
 
-    const RenderSettings& picture;
+    const RenderSettings& settings;
     const Tiles tiles;
     const SampleFunction& radiance;
     const std::function<void(float)>& progress;
@@ -128,21 +128,21 @@ class Job {
     std::atomic<std::int64_t> next = 0;
     std::mutex mutex; ///< of all below
     std::int64_t finished = 0;
-    Findings total;
+    ThreadResult total;
     std::exception_ptr failure;
 };
 
-void Job::render_pixel(int x, int y, Findings& found) {
+void RenderJob::render_pixel(int x, int y, ThreadResult& found) {
     PixelSum pixel;
     bool finite = true;
-    for (int i = 0; i < picture.samples; ++i) {
-        Sample sample{x, y, i, picture.samples, Random(x, y, i, picture.seed), picture.seed};
+    for (int i = 0; i < settings.samples; ++i) {
+        PixelSample sample{x, y, i, settings.samples, Random(x, y, i, settings.seed), settings.seed};
         const vec3 value = radiance(sample);
         if (is_finite(value)) {
             pixel.add(value);
         } else {
             finite = false;
-            ++found.not_finite;
+            ++found.invalid_samples;
             found.keep_first(y, x, i);
         }
     }
@@ -152,20 +152,20 @@ void Job::render_pixel(int x, int y, Findings& found) {
     film.variance(column, row) = finite ? vec3(pixel.variance()) : unknown;
 }
 
-void Job::render_tile(const Crop& tile, Findings& found) {
+void RenderJob::render_tile(const Crop& tile, ThreadResult& found) {
     for (int y = tile.y0; y < tile.y1; ++y)
         for (int x = tile.x0; x < tile.x1; ++x) render_pixel(x, y, found);
 }
 
-void Job::finish_tile() {
+void RenderJob::finish_tile() {
     const std::lock_guard lock(mutex);
     ++finished;
     if (progress) progress(float(double(finished) / double(tiles.count())));
 }
 
 // One thread's share of the work. What is thrown here is kept for the caller and ends the other threads soon.
-void Job::work() noexcept {
-    Findings found;
+void RenderJob::work() noexcept {
+    ThreadResult found;
     try {
         for (std::int64_t i = next++; i < tiles.count(); i = next++) {
             render_tile(tiles[i], found);
@@ -176,13 +176,13 @@ void Job::work() noexcept {
         const std::lock_guard lock(mutex);
         if (!failure) failure = std::current_exception();
     }
-    found.tally = tally; // a new thread's starts at zero
+    found.ray_stats = ray_stats; // a new thread's starts at zero
     const std::lock_guard lock(mutex);
     total += found;
 }
 
 /// Fewer threads than asked for, where the system gives no more, still finish the picture.
-void Job::start(std::vector<std::thread>& workers, int threads) {
+void RenderJob::start(std::vector<std::thread>& workers, int threads) {
     workers.reserve(std::size_t(threads));
     try {
         while (int(workers.size()) < threads) workers.emplace_back([this] { work(); });
@@ -191,42 +191,42 @@ void Job::start(std::vector<std::thread>& workers, int threads) {
     }
 }
 
-Film Job::run(int threads) {
+Film RenderJob::run(int threads) {
     std::vector<std::thread> workers;
     start(workers, threads);
     for (std::thread& worker : workers) worker.join();
     if (failure) std::rethrow_exception(failure);
-    film.not_finite = total.not_finite;
-    if (total.not_finite > 0) {
-        film.first_x = total.x;
-        film.first_y = total.y;
-        film.first_sample = total.sample;
+    film.invalid_samples = total.invalid_samples;
+    if (total.invalid_samples > 0) {
+        film.first_invalid.x = total.x;
+        film.first_invalid.y = total.y;
+        film.first_invalid.sample = total.sample;
     }
-    film.tally = total.tally;
+    film.ray_stats = total.ray_stats;
     return std::move(film);
 }
 
 } // namespace
 
-std::string size_problem(const Crop& crop) {
+std::string size_error(const Crop& crop) {
     constexpr double bytes_per_pixel = 24; // of the two images
     const int width = crop.x1 - crop.x0, height = crop.y1 - crop.y0;
     const double needed = bytes_per_pixel * width * height + double(memory_to_write(width, height));
     const double usable = double(usable_memory());
-    if (usable == 0 || needed <= usable) return size_problem(width, height);
+    if (usable == 0 || needed <= usable) return size_error(width, height);
     std::array<char, 128> text{};
     std::snprintf(text.data(), text.size(), "(%d x %d) needs %.1f GB of memory, and %.1f GB may be used",
                   width, height, needed * 1e-9, usable * 1e-9);
     return text.data();
 }
 
-int thread_count(const RenderSettings& picture) {
-    return int(std::min<std::int64_t>(requested_threads(picture), tiles_of(picture).count()));
+int thread_count(const RenderSettings& settings) {
+    return int(std::min<std::int64_t>(requested_threads(settings), tiles_of(settings).count()));
 }
 
-Film render(const RenderSettings& picture, const SampleFunction& radiance,
+Film render(const RenderSettings& settings, const SampleFunction& radiance,
             const std::function<void(float)>& progress) {
-    return Job(picture, radiance, progress).run(thread_count(picture));
+    return RenderJob(settings, radiance, progress).run(thread_count(settings));
 }
 
 } // namespace rt

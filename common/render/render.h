@@ -5,7 +5,7 @@
 #include "common/image/image.h"
 #include "common/math/random.h"
 #include "common/render/settings.h"
-#include "common/util/tally.h"
+#include "common/util/ray_stats.h"
 
 #include <functional>
 #include <string>
@@ -13,7 +13,7 @@
 namespace rt {
 
 /// One sample of one pixel of the whole picture, whichever crop is rendered.
-struct Sample {
+struct PixelSample {
     int x = 0;                 ///< column, from the left
     int y = 0;                 ///< row, from the top
     int index = 0;             ///< 0 to count - 1
@@ -24,7 +24,12 @@ struct Sample {
 
 /// From a sample to the radiance that it sees. Called from many threads at once; must depend on nothing but
 /// its argument.
-using SampleFunction = std::function<vec3(Sample&)>;
+using SampleFunction = std::function<vec3(PixelSample&)>;
+
+/// Which sample of which pixel.
+struct SamplePlace {
+    int x = 0, y = 0, sample = 0;
+};
 
 /// A picture, how sure it is of each pixel, and what it cost.
 struct Film {
@@ -34,22 +39,22 @@ struct Film {
     /// sample a pixel, nan where the mean is. True for samples that know nothing of each other, as a rule too
     /// large for samples that are spread evenly: a z-test with it stays valid, but is milder.
     Image variance;
-    std::uint64_t not_finite = 0;                   ///< samples that were NaN or infinite
-    int first_x = 0, first_y = 0, first_sample = 0; ///< of those, in reading order and in the whole picture
-    Tally tally;
+    std::uint64_t invalid_samples = 0; ///< NaN or infinite
+    SamplePlace first_invalid;         ///< of those, in reading order and in the whole picture
+    RayStats ray_stats;
 };
 
 /// How many threads render() takes for this picture: as --threads asks (0: usable_cores()), but no more than
 /// there are tiles.
-int thread_count(const RenderSettings& picture);
+int thread_count(const RenderSettings& settings);
 
 /// Why a film of this size is not rendered: it needs more memory than there is, or cannot be written; "" if it
 /// is.
-std::string size_problem(const Crop& crop);
+std::string size_error(const Crop& crop);
 
-/// Renders `picture.crop`. The result does not depend on `threads`; a crop has the bits of that part of the
+/// Renders `settings.crop`. The result does not depend on `threads`; a crop has the bits of that part of the
 /// whole. `progress` is told the finished share, 0 to 1, from one thread at a time; it may be empty.
-Film render(const RenderSettings& picture, const SampleFunction& radiance,
+Film render(const RenderSettings& settings, const SampleFunction& radiance,
             const std::function<void(float)>& progress = {});
 
 } // namespace rt

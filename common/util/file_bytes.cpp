@@ -122,7 +122,7 @@ fs::path checked_place(const std::string& path) {
 
 } // namespace
 
-InputFile::InputFile(const std::string& path_, std::uintmax_t most_bytes) : path(path_) {
+InputFile::InputFile(const std::string& path_, std::uintmax_t max_bytes) : path(path_) {
     std::error_code failure;
     const fs::file_status status = fs::status(path, failure);
     if (status.type() == fs::file_type::not_found)
@@ -132,8 +132,8 @@ InputFile::InputFile(const std::string& path_, std::uintmax_t most_bytes) : path
     if (!fs::is_regular_file(status)) throw Error(path + ": is a device or a pipe, not a plain file");
     left = fs::file_size(path, failure);
     if (failure) throw Error(path + ": cannot be read" + reason_of(failure));
-    if (left > most_bytes)
-        throw Error(path + ": is too large (" + megabytes(left) + ", at most " + megabytes(most_bytes) + ")");
+    if (left > max_bytes)
+        throw Error(path + ": is too large (" + megabytes(left) + ", at most " + megabytes(max_bytes) + ")");
     stream.open(fs::path(path), std::ios::binary);
     if (!stream) throw Error(path + ": cannot be opened; is reading it allowed?");
 }
@@ -144,8 +144,8 @@ void InputFile::read(char* bytes, std::size_t count) {
     left -= count;
 }
 
-std::string read_file(const std::string& path, std::uintmax_t most_bytes) {
-    InputFile file(path, most_bytes);
+std::string read_file(const std::string& path, std::uintmax_t max_bytes) {
+    InputFile file(path, max_bytes);
     std::string bytes(std::size_t(file.bytes_left()), '\0');
     file.read(bytes.data(), bytes.size());
     return bytes;

@@ -12,8 +12,8 @@ namespace rt {
 class InputFile {
   public:
     /// Throws Error for a file that is missing, a folder, a device, not readable, or of more than
-    /// `most_bytes`.
-    explicit InputFile(const std::string& path_, std::uintmax_t most_bytes = std::uintmax_t(1) << 36);
+    /// `max_bytes`.
+    explicit InputFile(const std::string& path_, std::uintmax_t max_bytes = std::uintmax_t(1) << 36);
 
     std::uintmax_t bytes_left() const { return left; }
     /// The next `count` bytes, no more than are left. Throws Error if they cannot be read.
@@ -26,8 +26,8 @@ class InputFile {
 };
 
 /// The bytes of a plain file. Throws Error for one that is missing, a folder, a device, not readable, or of
-/// more than `most_bytes`.
-std::string read_file(const std::string& path, std::uintmax_t most_bytes = std::uintmax_t(1) << 36);
+/// more than `max_bytes`.
+std::string read_file(const std::string& path, std::uintmax_t max_bytes = std::uintmax_t(1) << 36);
 
 /// Twelve random hexadecimal digits, for a name that no other program chooses.
 std::string random_digits();

@@ -12,10 +12,10 @@
 #include <utility>
 #include <vector>
 
-namespace rt {
+namespace rt::json {
 
 /// A JSON string, quotes included. Control characters are escaped; bytes that are not UTF-8 become U+FFFD.
-inline std::string json_text(std::string_view text) {
+inline std::string text(std::string_view text) {
     std::string out = "\"";
     while (!text.empty()) {
         const std::size_t length = character_length(text);
@@ -50,8 +50,7 @@ using Fields = std::vector<std::pair<std::string, std::string>>;
 /// The values are JSON already.
 inline std::string object(const Fields& fields) {
     std::string out = "{";
-    for (const auto& [name, value] : fields)
-        out += (out.size() > 1 ? ", " : "") + json_text(name) + ": " + value;
+    for (const auto& [name, value] : fields) out += (out.size() > 1 ? ", " : "") + text(name) + ": " + value;
     return out + "}";
 }
 
@@ -63,13 +62,13 @@ inline std::string array(const std::vector<std::string>& elements) {
 }
 
 /// What a program was asked to write; an empty path is no file. Throws Error.
-inline void write_text(const std::string& path, const std::string& text) {
+inline void write(const std::string& path, const std::string& text) {
     if (!path.empty()) write_file(path, text + "\n");
 }
 
-/// Throws Error if write_text could not: better before the work than after it.
-inline void check_text(const std::string& path) {
+/// Throws Error if write could not: better before the work than after it.
+inline void check_writable(const std::string& path) {
     if (!path.empty()) check_file_writable(path);
 }
 
-} // namespace rt
+} // namespace rt::json

@@ -17,7 +17,7 @@
 
 namespace rt {
 
-std::string asset(const std::string& name) {
+std::string asset_path(const std::string& name) {
     const char* const chosen = std::getenv("RAYSTEPS_ASSETS");
     const std::array<std::string, 3> folders{chosen ? chosen : "", RT_SOURCE_ASSETS, RT_BUILD_ASSETS};
     std::string tried;

@@ -7,7 +7,7 @@
 namespace rt {
 
 /// Stands for a space inside a name, because tinyobjloader ends names at spaces.
-inline constexpr char inner_space = '\x1f';
+inline constexpr char name_space = '\x1f';
 
 constexpr bool is_blank(char c) {
     return c == ' ' || c == '\t';

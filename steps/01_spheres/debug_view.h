@@ -4,7 +4,7 @@
 
 #include "01_spheres/hit.h"
 #include "common/math/random.h"
-#include "common/util/tally.h"
+#include "common/util/ray_stats.h"
 
 #include <cmath>
 
@@ -39,7 +39,7 @@ inline vec3 heat_map(float value) {
 /// How many boxes and triangles it takes to find the nearest hit, each doubling a sixteenth further up in heat.
 template <Traceable S>
 vec3 cost_colour(const S& scene, const Ray& ray) {
-    const auto tests = [] { return tally.box_tests + tally.triangle_tests; };
+    const auto tests = [] { return ray_stats.box_tests + ray_stats.triangle_tests; };
     const std::uint64_t before = tests();
     intersect(scene, ray);
     return heat_map(std::log2(1.0f + float(tests() - before)) / 16);

@@ -17,7 +17,7 @@ inline constexpr float relative_epsilon = 0x1p-21f;
 
 /// The bound on how far off its surface a point may be that was found along a ray from `origin`.
 inline float position_error(vec3 origin, vec3 position) {
-    const vec3 reach = max(absolute(position), absolute(origin));
+    const vec3 reach = max(abs(position), abs(origin));
     return relative_epsilon * glm::max(reach.x, glm::max(reach.y, reach.z));
 }
 

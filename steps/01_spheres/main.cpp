@@ -24,18 +24,18 @@ Scene three_spheres(float radius, float squares) {
 
 int main(int argc, char** argv) {
     Options options("01_spheres", "What does a ray see first?", {.width = 640, .height = 400, .samples = 16});
-    const float& radius = options.knob("radius", 1.0f, 0.1f, 3.0f, "radius of the middle ball, metres");
+    const float& radius = options.option("radius", 1.0f, 0.1f, 3.0f, "radius of the middle ball, metres");
     const float& squares =
-        options.knob("squares", 0.5f, 0.05f, 10.0f, "width of the floor's squares, metres");
+        options.option("squares", 0.5f, 0.05f, 10.0f, "width of the floor's squares, metres");
     const auto view = view_option(options);
     const CameraOptions camera_options(options,
                                        {.from = {0.3f, 1.7f, 5.5f}, .at = {0.1f, 0.75f, 0}, .fov = 36});
 
-    return run_program(options, argc, argv, [&](const RenderCall& render) {
+    return run_program(options, argc, argv, [&](const RenderFunction& render) {
         const Scene scene = three_spheres(radius, squares);
         const LookAt look_at = camera_options.look_at();
-        const Camera camera = make_camera(look_at, options.picture().width, options.picture().height);
-        render([&](Sample& sample) {
+        const Camera camera = make_camera(look_at, options.settings().width, options.settings().height);
+        render([&](PixelSample& sample) {
             const Ray ray = camera_ray(camera, vec2(sample.x, sample.y) + r2_offset(sample.index));
             if (view == DebugView::radiance) return radiance(scene, ray);
             return debug_colour(scene, ray, view, distance(look_at.from, look_at.at));

@@ -4,7 +4,7 @@
 #include "01_spheres/plane.h"
 #include "01_spheres/sphere.h"
 #include "common/util/match.h"
-#include "common/util/tally.h"
+#include "common/util/ray_stats.h"
 
 #include <variant>
 #include <vector>
@@ -19,7 +19,7 @@ struct Shapes {
 /// What the ray meets first. Each hit shortens the ray, so the last one found is the closest; only that one
 /// is worked out in full.
 inline std::optional<Hit> intersect(const Shapes& shapes, Ray ray) {
-    ++tally.rays;
+    ++ray_stats.rays;
     std::variant<std::monostate, const Sphere*, const Plane*> closest;
     //> try every shape; what hits becomes the closest and shortens the ray
     const auto test = [&](const auto& shape) {

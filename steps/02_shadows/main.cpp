@@ -28,16 +28,16 @@ Scene two_lights(float warm, float cool) {
 
 int main(int argc, char** argv) {
     Options options("02_shadows", "Does the light get there?", {.width = 640, .height = 400, .samples = 16});
-    const float& warm = options.knob("warm", 22.0f, 0.0f, 1000.0f, "intensity of the warm lamp, W/sr");
-    const float& cool = options.knob("cool", 14.0f, 0.0f, 1000.0f, "intensity of the cool lamp, W/sr");
+    const float& warm = options.option("warm", 22.0f, 0.0f, 1000.0f, "intensity of the warm lamp, W/sr");
+    const float& cool = options.option("cool", 14.0f, 0.0f, 1000.0f, "intensity of the cool lamp, W/sr");
     const auto view = view_option(options);
     const CameraOptions camera_options(options, {.from = {0.2f, 2.4f, 6.2f}, .at = {0, 0.7f, 0}, .fov = 34});
 
-    return run_program(options, argc, argv, [&](const RenderCall& render) {
+    return run_program(options, argc, argv, [&](const RenderFunction& render) {
         const Scene scene = two_lights(warm, cool);
         const LookAt look_at = camera_options.look_at();
-        const Camera camera = make_camera(look_at, options.picture().width, options.picture().height);
-        render([&](Sample& sample) {
+        const Camera camera = make_camera(look_at, options.settings().width, options.settings().height);
+        render([&](PixelSample& sample) {
             const Ray ray = camera_ray(camera, vec2(sample.x, sample.y) + r2_offset(sample.index));
             if (view == DebugView::radiance) return radiance(scene, ray);
             return debug_colour(scene, ray, view, distance(look_at.from, look_at.at));

@@ -9,7 +9,7 @@ namespace rt {
 
 /// Whether anything at all stands in the ray's interval: the first shape that does ends the search.
 inline bool occluded(const Shapes& shapes, const Ray& ray) {
-    ++tally.rays;
+    ++ray_stats.rays;
     //> true as soon as one shape is hit, whichever it is
     const auto hit = [&](const auto& shape) { return intersect(shape, ray).has_value(); };
     return std::ranges::any_of(shapes.spheres, hit) || std::ranges::any_of(shapes.planes, hit);

@@ -34,18 +34,18 @@ Scene facing_mirrors(float reflectivity) {
 int main(int argc, char** argv) {
     Options options("03_mirror", "What does the mirror see?", {.width = 640, .height = 400, .samples = 16});
     const float& reflectivity =
-        options.knob("reflectivity", 0.25f, 0.0f, 1.0f, "share of the lacquered ball that is a mirror");
+        options.option("reflectivity", 0.25f, 0.0f, 1.0f, "share of the lacquered ball that is a mirror");
     const int& depth =
-        options.knob("depth", 12, 0, 100, "mirrors that a ray may meet; beyond them it is black");
+        options.option("depth", 12, 0, 100, "mirrors that a ray may meet; beyond them it is black");
     const auto view = view_option(options);
     const CameraOptions camera_options(options,
                                        {.from = {1.72f, 1.5f, 3.7f}, .at = {-0.62f, 0.74f, 0}, .fov = 43});
 
-    return run_program(options, argc, argv, [&](const RenderCall& render) {
+    return run_program(options, argc, argv, [&](const RenderFunction& render) {
         const Scene scene = facing_mirrors(reflectivity);
         const LookAt look_at = camera_options.look_at();
-        const Camera camera = make_camera(look_at, options.picture().width, options.picture().height);
-        render([&](Sample& sample) {
+        const Camera camera = make_camera(look_at, options.settings().width, options.settings().height);
+        render([&](PixelSample& sample) {
             const Ray ray = camera_ray(camera, vec2(sample.x, sample.y) + r2_offset(sample.index));
             if (view == DebugView::radiance) return radiance(scene, ray, depth);
             return debug_colour(scene, ray, view, distance(look_at.from, look_at.at));

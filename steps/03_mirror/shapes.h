@@ -5,7 +5,7 @@
 #include "01_spheres/sphere.h"
 #include "03_mirror/quad.h"
 #include "common/util/match.h"
-#include "common/util/tally.h"
+#include "common/util/ray_stats.h"
 
 #include <algorithm>
 #include <variant>
@@ -22,7 +22,7 @@ struct Shapes {
 /// What the ray meets first. Each hit shortens the ray, so the last one found is the closest; only that one
 /// is worked out in full.
 inline std::optional<Hit> intersect(const Shapes& shapes, Ray ray) {
-    ++tally.rays;
+    ++ray_stats.rays;
     std::variant<std::monostate, const Sphere*, const Plane*, const Quad*> closest;
     //> try every shape; what hits becomes the closest and shortens the ray
     const auto test = [&](const auto& shape) {
@@ -42,7 +42,7 @@ inline std::optional<Hit> intersect(const Shapes& shapes, Ray ray) {
 
 /// Whether anything at all stands in the ray's interval: the first shape that does ends the search.
 inline bool occluded(const Shapes& shapes, const Ray& ray) {
-    ++tally.rays;
+    ++ray_stats.rays;
     //> true as soon as one shape is hit, whichever it is
     const auto hit = [&](const auto& shape) { return intersect(shape, ray).has_value(); };
     return std::ranges::any_of(shapes.spheres, hit) || std::ranges::any_of(shapes.planes, hit) ||

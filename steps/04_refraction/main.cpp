@@ -33,22 +33,22 @@ Scene glass_balls(float ior, float bubble, float absorption) {
 int main(int argc, char** argv) {
     Options options("04_refraction", "Where does light go in glass?",
                     {.width = 640, .height = 400, .samples = 9});
-    const float& ior = options.knob("ior", 1.5f, 1.0f, 2.5f, "index of refraction of the balls");
+    const float& ior = options.option("ior", 1.5f, 1.0f, 2.5f, "index of refraction of the balls");
     const float& bubble =
-        options.knob("bubble", 0.8f, 0.05f, 0.98f, "radius of the bubble, in radii of its ball");
-    const float& absorption = options.knob("absorption", 2.5f, 0.0f, 50.0f, "of the tinted ball, 1/m");
-    const int& depth =
-        options.knob("depth", 7, 0, 14,
-                     "boundaries that a ray may meet; beyond them it is black; each takes 1.5 times as long");
+        options.option("bubble", 0.8f, 0.05f, 0.98f, "radius of the bubble, in radii of its ball");
+    const float& absorption = options.option("absorption", 2.5f, 0.0f, 50.0f, "of the tinted ball, 1/m");
+    const int& depth = options.option(
+        "depth", 7, 0, 14,
+        "boundaries that a ray may meet; beyond them it is black; each takes 1.5 times as long");
     const auto view = view_option(options);
     const CameraOptions camera_options(options,
                                        {.from = {0.3f, 1.55f, 5.6f}, .at = {0, 0.68f, 0}, .fov = 34});
 
-    return run_program(options, argc, argv, [&](const RenderCall& render) {
+    return run_program(options, argc, argv, [&](const RenderFunction& render) {
         const Scene scene = glass_balls(ior, bubble, absorption);
         const LookAt look_at = camera_options.look_at();
-        const Camera camera = make_camera(look_at, options.picture().width, options.picture().height);
-        render([&](Sample& sample) {
+        const Camera camera = make_camera(look_at, options.settings().width, options.settings().height);
+        render([&](PixelSample& sample) {
             const Ray ray = camera_ray(camera, vec2(sample.x, sample.y) + r2_offset(sample.index));
             if (view == DebugView::radiance) return radiance(scene, ray, depth);
             return debug_colour(scene, ray, view, distance(look_at.from, look_at.at));

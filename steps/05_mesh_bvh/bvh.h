@@ -2,7 +2,7 @@
 #pragma once
 
 #include "05_mesh_bvh/aabb.h"
-#include "common/util/tally.h"
+#include "common/util/ray_stats.h"
 
 #include <algorithm>
 #include <array>
@@ -151,7 +151,7 @@ void traverse(const Bvh& bvh, const Ray& ray, Leaf&& leaf) {
     int size = 0;
     const SlabRay slab = slab_ray(ray);
     const auto intersect_box = [&](std::uint32_t node) {
-        ++tally.box_tests;
+        ++ray_stats.box_tests;
         return intersect(bvh.nodes[node].box, slab, ray.t_min, ray.t_max);
     };
     if (bvh.nodes.empty()) return;

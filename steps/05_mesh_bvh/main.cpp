@@ -15,20 +15,20 @@ LookAt tea_table(Scene& scene) {
     const int floor = add(scene.materials, Checkerboard{{0.62f, 0.58f, 0.53f}, {0.5f, 0.45f, 0.4f}, 0.6f});
     scene.planes = {{{0, 0, 0}, {0, 1, 0}, floor}};
 
-    ObjFile fine = read_obj(asset("teapot_fine.obj"));
-    fine.material_list = {{.name = "glaze", .diffuse = {0.05f, 0.16f, 0.4f}, .reflectivity = 0.12f}};
+    ObjModel fine = read_obj(asset_path("teapot_fine.obj"));
+    fine.materials = {{.name = "glaze", .diffuse = {0.05f, 0.16f, 0.4f}, .reflectivity = 0.12f}};
     transform(fine, 0.62f, 25, {-0.5f, 0, -0.25f});
     add_model(scene, fine, 40);
 
-    ObjFile coarse = read_obj(asset("teapot_coarse.obj"));
-    coarse.material_list = {{.name = "paper", .diffuse = {0.85f, 0.42f, 0.14f}}};
+    ObjModel coarse = read_obj(asset_path("teapot_coarse.obj"));
+    coarse.materials = {{.name = "paper", .diffuse = {0.85f, 0.42f, 0.14f}}};
     for (auto& triangle : coarse.triangles)
-        for (ObjCorner& corner : triangle) corner.normal = -1; // none of its own,
+        for (ObjIndex& corner : triangle) corner.normal = -1; // none of its own,
     transform(coarse, 0.34f, 150, {0.3f, 0, 0.95f});
     add_model(scene, coarse, 0); // and no smoothing
 
-    ObjFile cat = read_obj(asset("cat.obj"));
-    cat.material_list = {{.name = "chalk", .diffuse = {0.8f, 0.76f, 0.7f}}};
+    ObjModel cat = read_obj(asset_path("cat.obj"));
+    cat.materials = {{.name = "chalk", .diffuse = {0.8f, 0.76f, 0.7f}}};
     transform(cat, 0.85f, -50, {1.15f, 0, 0.05f});
     add_model(scene, cat, 40);
     return {.from = {0.35f, 1.5f, 4.2f}, .at = {0.12f, 0.48f, 0}, .fov = 32};
@@ -39,13 +39,13 @@ int main(int argc, char** argv) {
                     {.width = 640, .height = 400, .samples = 16});
     const ModelOptions model(options);
     const auto accel = accel_option(options, Accel::bvh);
-    const int& depth = options.knob("depth", 6, 0, 24, "mirrors and boundaries that a ray may meet");
+    const int& depth = options.option("depth", 6, 0, 24, "mirrors and boundaries that a ray may meet");
     const auto view = view_option(options);
     const CameraOptions camera_options(options,
                                        {.from = {0.35f, 1.5f, 4.2f}, .at = {0.12f, 0.48f, 0}, .fov = 32});
 
-    return run_program(options, argc, argv, [&](const RenderCall& render) {
-        const auto [width, height] = std::pair(options.picture().width, options.picture().height);
+    return run_program(options, argc, argv, [&](const RenderFunction& render) {
+        const auto [width, height] = std::pair(options.settings().width, options.settings().height);
         Scene scene;
         scene.accel = accel;
         scene.count_tests = view == DebugView::traversal_cost;
@@ -54,7 +54,7 @@ int main(int argc, char** argv) {
             has_model ? add_framed_model(scene, model, float(width) / float(height)) : tea_table(scene));
         build_bvhs(scene);
         const Camera camera = make_camera(look_at, width, height);
-        render([&](Sample& sample) {
+        render([&](PixelSample& sample) {
             const Ray ray = camera_ray(camera, vec2(sample.x, sample.y) + r2_offset(sample.index));
             if (view == DebugView::radiance) return radiance(scene, ray, depth);
             return debug_colour(scene, ray, view, distance(look_at.from, look_at.at));

@@ -92,10 +92,10 @@ inline Hit surface_hit(const MeshHit& mesh_hit, const Ray& ray) {
 /// Appends what the file holds to `mesh`; its material m becomes number material_ids[m]. Normals that it
 /// does not give are made by smooth_normals(); uvs that it does not give are (0, 0). A file whose origin is
 /// another than the mesh's is moved.
-inline void append_model(Mesh& mesh, const ObjFile& file, const std::vector<int>& material_ids,
+inline void append_model(Mesh& mesh, const ObjModel& file, const std::vector<int>& material_ids,
                          float crease_angle) {
     const bool has_all_normals = std::ranges::all_of(file.triangles, [](const auto& triangle) {
-        return std::ranges::all_of(triangle, [](const ObjCorner& corner) { return corner.normal >= 0; });
+        return std::ranges::all_of(triangle, [](const ObjIndex& corner) { return corner.normal >= 0; });
     });
     const auto computed_normals =
         has_all_normals ? std::vector<std::array<vec3, 3>>() : smooth_normals(file, crease_angle);
@@ -107,8 +107,8 @@ inline void append_model(Mesh& mesh, const ObjFile& file, const std::vector<int>
     };
     if (!file.colors.empty()) mesh.colors.resize(begin, vec3(1)); // what came before has none
     IndexMap vertex_map(file.positions.size());
-    std::vector<ObjCorner> vertices; // one a vertex of this file: a corner where it stands
-    const auto vertex = [&](const ObjCorner& corner, vec3 normal) {
+    std::vector<ObjIndex> vertices; // one a vertex of this file: a corner where it stands
+    const auto vertex = [&](const ObjIndex& corner, vec3 normal) {
         const auto same = [&](std::uint32_t n) {
             return vertices[n].position == corner.position && vertices[n].uv == corner.uv &&
                    mesh.normals[begin + n] == normal;
@@ -128,20 +128,20 @@ inline void append_model(Mesh& mesh, const ObjFile& file, const std::vector<int>
     for (std::size_t i = 0; i < file.triangles.size(); ++i) {
         std::array<std::uint32_t, 3> triangle{};
         for (std::size_t k = 0; k < 3; ++k) {
-            const ObjCorner& corner = file.triangles[i][k];
+            const ObjIndex& corner = file.triangles[i][k];
             const bool has_normal = corner.normal >= 0;
             triangle[k] = vertex(corner, has_normal ? normalize(file.normals[std::size_t(corner.normal)])
                                                     : computed_normals[i][k]);
         }
         mesh.triangles.push_back(triangle);
-        mesh.materials.push_back(material_ids[std::size_t(file.materials[i])]);
+        mesh.materials.push_back(material_ids[std::size_t(file.triangle_materials[i])]);
     }
     if (!mesh.colors.empty()) mesh.colors.resize(mesh.positions.size(), vec3(1));
 }
 
 /// Moves a model before it is added to a scene: scaled, turned about the y axis (degrees, from +z towards
 /// +x), shifted. Its coordinates are the scene's from then on.
-inline void transform(ObjFile& file, float scale, float rotation_y, vec3 translation) {
+inline void transform(ObjModel& file, float scale, float rotation_y, vec3 translation) {
     const float c = std::cos(glm::radians(rotation_y)), s = std::sin(glm::radians(rotation_y));
     const auto rotated = [&](vec3 p) { return vec3(c * p.x + s * p.z, p.y, c * p.z - s * p.x); };
     for (vec3& position : file.positions) position = scale * rotated(position) + translation;

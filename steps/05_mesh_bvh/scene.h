@@ -33,10 +33,9 @@ inline int add_material(Scene& scene, const ObjMaterial& material) {
 }
 
 /// Puts a model into the scene, with its materials. `crease_angle` as in smooth_normals().
-inline void add_model(Scene& scene, const ObjFile& file, float crease_angle) {
+inline void add_model(Scene& scene, const ObjModel& file, float crease_angle) {
     std::vector<int> material_ids;
-    for (const ObjMaterial& material : file.material_list)
-        material_ids.push_back(add_material(scene, material));
+    for (const ObjMaterial& material : file.materials) material_ids.push_back(add_material(scene, material));
     append_model(scene.mesh, file, material_ids, crease_angle);
 }
 

@@ -9,7 +9,7 @@
 #include "05_mesh_bvh/mesh.h"
 #include "accel/accel.h"
 #include "common/util/match.h"
-#include "common/util/tally.h"
+#include "common/util/ray_stats.h"
 
 #include <algorithm>
 #include <variant>
@@ -82,8 +82,8 @@ inline const Quad* quad_of(const Shapes& shapes, std::uint32_t i) {
 
 /// Counts the tests of the wide trees as those of the others are.
 struct TallyCounters {
-    static void count_boxes(std::size_t count) { tally.box_tests += count; }
-    static void count_primitives(std::size_t count) { tally.triangle_tests += count; }
+    static void count_boxes(std::size_t count) { ray_stats.box_tests += count; }
+    static void count_primitives(std::size_t count) { ray_stats.triangle_tests += count; }
 };
 
 /// The same by the wide trees. They know which shapes the ray may meet; where it meets them is worked out in
@@ -111,7 +111,7 @@ inline void closest_hit_wide(const Shapes& shapes, Ray& ray, ClosestShape& close
 /// What the ray meets first. Each hit shortens the ray, so the last one found is the nearest; only that one
 /// is worked out in full.
 inline std::optional<Hit> intersect(const Shapes& shapes, Ray ray) {
-    ++tally.rays;
+    ++ray_stats.rays;
     ClosestShape closest;
     for (const Plane& plane : shapes.planes) {
         if (const auto t = intersect(plane, ray)) {
@@ -148,7 +148,7 @@ inline bool occluded_wide(const Shapes& shapes, const Ray& ray) {
 
 /// Whether anything at all stands in the ray's interval: the first shape that does ends the search.
 inline bool occluded(const Shapes& shapes, const Ray& ray) {
-    ++tally.rays;
+    ++ray_stats.rays;
     bool hit = false;
     const auto test = [&](const auto& shape) { return hit = intersect(shape, ray).has_value(); };
     if (std::ranges::any_of(shapes.planes, test)) return true;

@@ -54,7 +54,7 @@ struct VertexCorners {
 };
 
 /// Points count as one if their coordinates are equal, since many files repeat them for every face.
-inline VertexCorners corners_by_vertex(const ObjFile& file) {
+inline VertexCorners corners_by_vertex(const ObjModel& file) {
     IndexMap position_map(file.positions.size());
     std::vector<vec3> points;
     std::vector<std::uint32_t> point; // one a position
@@ -118,7 +118,7 @@ inline std::vector<dvec3> smoothed_normals_at_vertex(const std::vector<dvec3>& f
 /// A normal for each corner of each triangle of a file that gives none. Faces that meet in a point are
 /// smoothed together, weighted by area, unless they differ by more than `crease_angle` degrees: so a ball is round
 /// and a cube keeps its edges; or unless the file puts them into different smoothing groups, or into none.
-inline std::vector<std::array<vec3, 3>> smooth_normals(const ObjFile& file, float crease_angle) {
+inline std::vector<std::array<vec3, 3>> smooth_normals(const ObjModel& file, float crease_angle) {
     const auto face = [&](std::uint32_t t) {
         const auto& [a, b, c] = file.triangles[t];
         return area_normal({file.positions[std::size_t(a.position)], file.positions[std::size_t(b.position)],

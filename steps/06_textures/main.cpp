@@ -15,18 +15,19 @@ LookAt meadow(Scene& scene, int tiles) {
     const int lawn = add(scene.materials, Checkerboard{{0.36f, 0.56f, 0.2f}, {0.28f, 0.47f, 0.16f}, 0.5f});
     scene.planes = {{{0, 0, 0}, {0, 1, 0}, lawn}};
 
-    const int globe = add(scene.materials,
-                          ImageTexture{add(scene.textures, make_texture(read_bitmap(asset("globe.png"))))});
+    const int globe =
+        add(scene.materials,
+            ImageTexture{add(scene.textures, make_texture(read_bitmap(asset_path("globe.png"))))});
     scene.spheres = {{{1.75f, 0.36f, 0.85f}, 0.36f, globe}};
-    const int card_picture = add(scene.textures, make_texture(read_bitmap(asset("test_card.png"))));
+    const int card_picture = add(scene.textures, make_texture(read_bitmap(asset_path("test_card.png"))));
     const int card =
         add(scene.materials, ImageTexture{.texture = card_picture, .uv_scale = vec2(float(tiles))});
     scene.quads = {{{0.75f, 0.25f, -1.0f}, {1.75f, 0, 0.35f}, {0.04f, 1.1f, -0.2f}, card}};
 
-    ObjFile cow = read_obj(asset("cow.obj"));
+    ObjModel cow = read_obj(asset_path("cow.obj"));
     transform(cow, 1.35f, -35, {-0.85f, 0, -0.3f});
     add_model(scene, cow, 40);
-    ObjFile cat = read_obj(asset("cat.obj"));
+    ObjModel cat = read_obj(asset_path("cat.obj"));
     transform(cat, 0.62f, -60, {0.55f, 0, 0.85f});
     add_model(scene, cat, 40);
     return {.from = {0.25f, 1.35f, 5.0f}, .at = {0.25f, 0.6f, 0}, .fov = 33};
@@ -36,15 +37,15 @@ int main(int argc, char** argv) {
     Options options("06_textures", "How does a picture get onto a surface?",
                     {.width = 640, .height = 400, .samples = 16});
     const ModelOptions model(options);
-    const int& tiles = options.knob("tiles", 1, 1, 50, "how often the test card repeats, each way");
+    const int& tiles = options.option("tiles", 1, 1, 50, "how often the test card repeats, each way");
     const auto accel = accel_option(options, Accel::wide);
-    const int& depth = options.knob("depth", 6, 0, 24, "mirrors and boundaries that a ray may meet");
+    const int& depth = options.option("depth", 6, 0, 24, "mirrors and boundaries that a ray may meet");
     const auto view = view_option(options);
     const CameraOptions camera_options(options,
                                        {.from = {0.25f, 1.35f, 5.0f}, .at = {0.25f, 0.6f, 0}, .fov = 33});
 
-    return run_program(options, argc, argv, [&](const RenderCall& render) {
-        const auto [width, height] = std::pair(options.picture().width, options.picture().height);
+    return run_program(options, argc, argv, [&](const RenderFunction& render) {
+        const auto [width, height] = std::pair(options.settings().width, options.settings().height);
         Scene scene;
         scene.accel = accel;
         scene.count_tests = view == DebugView::traversal_cost;
@@ -53,7 +54,7 @@ int main(int argc, char** argv) {
             has_model ? add_framed_model(scene, model, float(width) / float(height)) : meadow(scene, tiles));
         build_bvhs(scene);
         const Camera camera = make_camera(look_at, width, height);
-        render([&](Sample& sample) {
+        render([&](PixelSample& sample) {
             const Ray ray = camera_ray(camera, vec2(sample.x, sample.y) + r2_offset(sample.index));
             if (view == DebugView::radiance) return radiance(scene, ray, depth);
             return debug_colour(scene, ray, view, distance(look_at.from, look_at.at));

@@ -42,7 +42,7 @@ inline vec2 sample_filter(Filter filter, vec2 u, float width) {
 }
 
 /// The point of the picture through which a sample looks, in pixels from the top left corner.
-inline vec2 film_point(const Sample& sample, Sampler& sampler, Filter filter, float width) {
+inline vec2 film_point(const PixelSample& sample, Sampler& sampler, Filter filter, float width) {
     return vec2(sample.x, sample.y) + 0.5f + sample_filter(filter, sampler.uniform2(), width);
 }
 

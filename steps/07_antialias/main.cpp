@@ -40,7 +40,7 @@ LookAt test_chart(Scene& scene) {
                    {{-2.3f, 2.25f, 0.3f}, {4.6f, -0.35f, 0.2f}, {0, 0.0035f, 0}, wire},
                    {{-2.3f, 0.5f, 0.9f}, {4.6f, 1.2f, 0.1f}, {0, 0.0035f, 0}, wire}};
 
-    ObjFile cat = read_obj(asset("cat.obj"));
+    ObjModel cat = read_obj(asset_path("cat.obj"));
     transform(cat, 0.7f, -70, {1.45f, 0, 0.75f});
     add_model(scene, cat, 40);
     return {.from = {0, 1.25f, 5.2f}, .at = {0, 0.95f, 0}, .fov = 32};
@@ -53,12 +53,12 @@ int main(int argc, char** argv) {
     const FilterOptions filter(options);
     const LensOptions lens_options(options);
     const auto accel = accel_option(options, Accel::wide);
-    const int& depth = options.knob("depth", 6, 0, 24, "mirrors and boundaries that a ray may meet");
+    const int& depth = options.option("depth", 6, 0, 24, "mirrors and boundaries that a ray may meet");
     const auto view = view_option(options);
     const CameraOptions camera_options(options, {.from = {0, 1.25f, 5.2f}, .at = {0, 0.95f, 0}, .fov = 32});
 
-    return run_program(options, argc, argv, [&](const RenderCall& render) {
-        const auto [width, height] = std::pair(options.picture().width, options.picture().height);
+    return run_program(options, argc, argv, [&](const RenderFunction& render) {
+        const auto [width, height] = std::pair(options.settings().width, options.settings().height);
         Scene scene;
         scene.accel = accel;
         scene.count_tests = view == DebugView::traversal_cost;
@@ -68,7 +68,7 @@ int main(int argc, char** argv) {
         build_bvhs(scene);
         const Camera camera = make_camera(look_at, width, height);
         const ThinLens lens = lens_options.lens(look_at);
-        render([&](const Sample& sample) {
+        render([&](const PixelSample& sample) {
             Sampler sampler(sampler_kind, sample);
             const vec2 point = film_point(sample, sampler, filter.filter, filter.width);
             const Ray ray = sample_camera_ray(camera, lens, point, sampler);

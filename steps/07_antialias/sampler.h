@@ -17,7 +17,7 @@ enum class SamplerKind { random, stratified, sobol };
 /// dimension is the number of the call, so samples that ask in the same order profit most.
 class Sampler {
   public:
-    Sampler(SamplerKind chosen, const Sample& sample)
+    Sampler(SamplerKind chosen, const PixelSample& sample)
         : kind(chosen), index(sample.index), count(sample.count), random(sample.random),
           dimension_key(sample.x, sample.y, 0, ~sample.seed) {}
 

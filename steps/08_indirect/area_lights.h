@@ -111,7 +111,7 @@ inline float light_pdf(const AreaLights& lights, vec3 emission, float distance, 
 /// The light shines to both sides; V is 1 if the two points see each other, else 0. `absorption` is that of
 /// the medium between them. `bsdf_sampling`: how bounces that find the same lights, too, are sampled; the two
 /// share each light.
-template <Occludable S, UniformSource Source>
+template <Occludable S, RandomSource Source>
 vec3 sample_area_lights(const S& scene, const AreaLights& lights, const Hit& hit, Source& source,
                         vec3 absorption = vec3(0),
                         std::optional<HemisphereSampling> bsdf_sampling = std::nullopt) {

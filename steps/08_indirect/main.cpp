@@ -47,7 +47,7 @@ int main(int argc, char** argv) {
     const auto sampler_kind = sampler_option(options);
     const FilterOptions filter(options);
     const LensOptions lens_options(options);
-    const int& depth = options.knob("depth", 5, 0, 1000, "bounces of a path; the light beyond is left out");
+    const int& depth = options.option("depth", 5, 0, 1000, "bounces of a path; the light beyond is left out");
     const bool& no_indirect =
         options.flag("no-indirect", "matte surfaces see lamps and sky, but not each other");
     const auto direct =
@@ -62,8 +62,8 @@ int main(int argc, char** argv) {
     const auto view = view_option(options);
     const CameraOptions camera_options(options, {.from = {0, 1, 4.6f}, .at = {0, 0.98f, 0}, .fov = 31});
 
-    return run_program(options, argc, argv, [&](const RenderCall& render) {
-        const auto [width, height] = std::pair(options.picture().width, options.picture().height);
+    return run_program(options, argc, argv, [&](const RenderFunction& render) {
+        const auto [width, height] = std::pair(options.settings().width, options.settings().height);
         Scene scene;
         scene.accel = accel;
         scene.count_tests = view == DebugView::traversal_cost;
@@ -78,7 +78,7 @@ int main(int argc, char** argv) {
         const bool is_weekend = model.mesh.empty() && (!spheres.empty() || show == SceneName::weekend);
         const ThinLens lens =
             lens_options.lens(look_at, is_weekend ? weekend_lens : ThinLens{.focus_distance = 0});
-        render([&](const Sample& sample) {
+        render([&](const PixelSample& sample) {
             Sampler sampler(sampler_kind, sample);
             const vec2 point = film_point(sample, sampler, filter.filter, filter.width);
             const Ray ray = sample_camera_ray(camera, lens, point, sampler);

@@ -38,7 +38,7 @@ struct ScatteredRay {
 
 /// What the surface does with a path: it is matte, or it sends the path on. Where light has two ways, chance
 /// picks one in proportion to its share, so that the weight is the same for both.
-template <Occludable S, UniformSource Source>
+template <Occludable S, RandomSource Source>
 std::variant<Diffuse, ScatteredRay> scatter(const S& scene, const Ray& ray, const Hit& hit, vec3 absorption,
                                             Source& source) {
     using Result = std::variant<Diffuse, ScatteredRay>;
@@ -69,7 +69,7 @@ std::variant<Diffuse, ScatteredRay> scatter(const S& scene, const Ray& ray, cons
 }
 
 /// An estimate of the irradiance at the hit from all lights, as far as they are to be asked for it, W/m^2.
-template <Occludable S, UniformSource Source>
+template <Occludable S, RandomSource Source>
 vec3 sample_direct_light(const S& scene, const AreaLights& lights, const PathSettings& settings,
                          const Hit& hit, vec3 absorption, Source& source) {
     const vec3 from_points = direct_irradiance(scene, hit);
@@ -94,7 +94,7 @@ float emission_weight(const S& scene, const AreaLights& lights, const PathSettin
 /// calls is the solution of the rendering equation (Kajiya 1986), cut after `depth` bounces. Caustics of area
 /// lights are found by paths that run through glass or by mirrors into a lamp. Shortcut: a point light casts
 /// none, glass throws its full shadow.
-template <Occludable S, UniformSource Source>
+template <Occludable S, RandomSource Source>
 vec3 radiance(const S& scene, const AreaLights& lights, const PathSettings& settings, Ray ray,
               Source& source) {
     vec3 path_radiance(0), throughput(1), absorption(0);

@@ -40,13 +40,13 @@ inline int add_material(Scene& scene, const ObjMaterial& material, int first_tex
 
 /// Puts a model into the scene, with its materials, textures and masks. A material that glows has no holes.
 /// `crease_angle` as in smooth_normals().
-inline void add_model(Scene& scene, const ObjFile& file, float crease_angle) {
+inline void add_model(Scene& scene, const ObjModel& file, float crease_angle) {
     const int first_texture = int(scene.textures.size());
     for (const Bitmap& bitmap : file.textures) add(scene.textures, make_texture(bitmap));
     const int first_mask = int(scene.masks.size());
     for (const Mask& mask : file.masks) add(scene.masks, make_mask(mask));
     std::vector<int> material_ids;
-    for (const ObjMaterial& material : file.material_list) {
+    for (const ObjMaterial& material : file.materials) {
         material_ids.push_back(add_material(scene, material, first_texture));
         if (material.mask >= 0 && material.emission == vec3(0))
             cut_out(scene, material_ids.back(), first_mask + material.mask);

@@ -14,10 +14,10 @@ namespace {
 
 /// What rays between points around the unit cube cost, that cube being `scale` wide. Triangles and their tree
 /// are all that they ask: a whole scene would take long to compile.
-Tally cost_of(const ObjFile& file, int rays, float scale = 1) {
+RayStats cost_of(const ObjModel& file, int rays, float scale = 1) {
     const Bvh bvh = build_bvh(boxes_of(file));
     Random random(5);
-    tally = {};
+    ray_stats = {};
     for (int i = 0; i < rays; ++i) {
         const vec3 from = scale * (3.0f * random_point(random) - 1.0f);
         const vec3 to = scale * random_point(random);
@@ -29,7 +29,7 @@ Tally cost_of(const ObjFile& file, int rays, float scale = 1) {
             return false;
         });
     }
-    return tally;
+    return ray_stats;
 }
 
 } // namespace
@@ -79,19 +79,20 @@ TEST_CASE("a walk goes to the near boxes first and passes over those beyond what
             Ray ray{origin, sign * along};
             const SlabRay slab = slab_ray(ray);
             int calls = 0;
-            tally = {};
+            ray_stats = {};
             traverse(bvh, ray, [&](std::uint32_t shape) {
                 ++calls;
                 if (const auto t = intersect(row[shape], slab, ray.t_min, ray.t_max)) ray.t_max = *t;
                 return false;
             });
-            INFO("axis ", axis, ", sign ", sign, ": ", calls, " shapes asked, ", tally.box_tests, " boxes");
+            INFO("axis ", axis, ", sign ", sign, ": ", calls, " shapes asked, ", ray_stats.box_tests,
+                 " boxes");
             CHECK(ray.t_max < 20);
             CHECK_MESSAGE(calls <= 16,
                           "about one leaf; 1,000: what was found does not shorten the search, or the far "
                           "child goes first");
-            CHECK(tally.box_tests <= 100);
-            CHECK(tally.box_tests >= 5);
+            CHECK(ray_stats.box_tests <= 100);
+            CHECK(ray_stats.box_tests >= 5);
         }
     }
 }
@@ -121,9 +122,9 @@ TEST_CASE("the work does not depend on the unit of length") {
     float triangles[3] = {}, boxes[3] = {};
     const float scales[] = {1, 1.0f / 1024, 1024};
     for (std::size_t i = 0; i < 3; ++i) {
-        ObjFile file = random_triangles(2000, 0.2f);
+        ObjModel file = random_triangles(2000, 0.2f);
         transform(file, scales[i], vec3(0));
-        const Tally cost = cost_of(file, 1000, scales[i]);
+        const RayStats cost = cost_of(file, 1000, scales[i]);
         triangles[i] = float(cost.triangle_tests);
         boxes[i] = float(cost.box_tests);
     }
@@ -136,14 +137,14 @@ TEST_CASE("the work does not depend on the unit of length") {
 }
 
 TEST_CASE("walls and floors, whose boxes are flat, make a good tree too") {
-    ObjFile file = empty_file();
+    ObjModel file = empty_file();
     Random random(53);
     for (int i = 0; i < 2000; ++i) { // small triangles in the three planes through the origin
         vec3 p = random_point(random), q = 0.05f * random_point(random), r = 0.05f * random_point(random);
         p[i % 3] = q[i % 3] = r[i % 3] = 0;
         add_triangle(file, p, p + q, p + r);
     }
-    const Tally cost = cost_of(file, 3000);
+    const RayStats cost = cost_of(file, 3000);
     INFO("triangle tests a ray ", float(cost.triangle_tests) / 3000);
     CHECK_MESSAGE(float(cost.box_tests) / 3000 < 45,
                   "70: volume for area, and the volume of a flat box is 0");

@@ -13,22 +13,22 @@ namespace {
 
 const vec3 a = {1, -2, 3}, b = {3, 1, 4}, c = {-1, 2, 6}; // a skew triangle
 
-void check_tree_changes_nothing(const ObjFile& file, int count) {
+void check_tree_changes_nothing(const ObjModel& file, int count) {
     const Scene scene = scene_of(file);
     check_tree_changes_nothing(scene, bounds(scene.mesh), count);
 }
 
 /// What rays between points around the unit cube cost.
-Tally cost_of(Scene scene, Accel accel, int rays) {
+RayStats cost_of(Scene scene, Accel accel, int rays) {
     scene = with(scene, accel);
     Random random(5);
-    tally = {};
+    ray_stats = {};
     for (int i = 0; i < rays; ++i) {
         const vec3 from = 3.0f * random_point(random) - 1.0f;
         const vec3 to = random_point(random);
         intersect(scene, Ray{from, to - from});
     }
-    return tally;
+    return ray_stats;
 }
 
 } // namespace
@@ -38,10 +38,10 @@ TEST_CASE("the tree finds what asking every triangle finds, among 2,000 random t
 }
 
 TEST_CASE("the tree finds what asking every triangle finds, far from the origin and very small") {
-    ObjFile far = random_triangles(300, 0.3f);
+    ObjModel far = random_triangles(300, 0.3f);
     transform(far, 50, vec3(1e4f, -1e4f, 1e4f));
     check_tree_changes_nothing(far, 3000);
-    ObjFile small = random_triangles(300, 0.3f);
+    ObjModel small = random_triangles(300, 0.3f);
     transform(small, 1e-3f, vec3(0));
     check_tree_changes_nothing(small, 3000);
 }
@@ -51,7 +51,7 @@ TEST_CASE("the tree finds what asking every triangle finds, on a flat grid") {
 }
 
 TEST_CASE("the tree finds what asking every triangle finds, among 100 identical triangles, one, and none") {
-    ObjFile identical = empty_file(), one = empty_file();
+    ObjModel identical = empty_file(), one = empty_file();
     for (int i = 0; i < 100; ++i) add_triangle(identical, a, b, c);
     add_triangle(one, a, b, c);
     check_tree_changes_nothing(identical, 1000);
@@ -63,7 +63,7 @@ TEST_CASE("the tree finds what asking every triangle finds, among 100 identical 
 }
 
 TEST_CASE("the tree finds what asking every triangle finds, with triangles without area among them") {
-    ObjFile file = random_triangles(200, 0.4f);
+    ObjModel file = random_triangles(200, 0.4f);
     Random random(31);
     for (int i = 0; i < 100; ++i) {
         const vec3 p = random_point(random), q = random_point(random);
@@ -75,7 +75,7 @@ TEST_CASE("the tree finds what asking every triangle finds, with triangles witho
 }
 
 TEST_CASE("the tree finds what asking every triangle finds, among long splinters and one huge floor") {
-    ObjFile file = empty_file();
+    ObjModel file = empty_file();
     Random random(32);
     for (int i = 0; i < 300; ++i) {
         const vec3 p = random_point(random);
@@ -87,13 +87,13 @@ TEST_CASE("the tree finds what asking every triangle finds, among long splinters
 }
 
 TEST_CASE("the tree finds what asking every triangle finds, in a long chain and in one that doubles") {
-    ObjFile chain = empty_file();
+    ObjModel chain = empty_file();
     for (int i = 0; i < 1500; ++i) {
         const vec3 p{float(i), 0.1f * float(i % 7), 0};
         add_triangle(chain, p, p + vec3(0.9f, 0, 0.2f), p + vec3(0, 0.8f, 0.4f));
     }
     check_tree_changes_nothing(chain, 1000);
-    ObjFile doubling = empty_file();
+    ObjModel doubling = empty_file();
     for (int k = -50; k < 50; ++k) {
         const float s = std::ldexp(1.0f, k);
         add_triangle(doubling, {s, 0, 0}, {1.2f * s, s, 0.3f * s}, {1.1f * s, 0, -s});
@@ -131,7 +131,7 @@ TEST_CASE("the work view counts what is tested: every triangle by brute force, f
 TEST_CASE("among 2,000 random triangles a ray asks about 10 of them") {
     const Scene scene = scene_of(random_triangles(2000, 0.2f));
     const int rays = 3000;
-    const Tally tree = cost_of(scene, Accel::bvh, rays);
+    const RayStats tree = cost_of(scene, Accel::bvh, rays);
     const float triangles = float(tree.triangle_tests) / float(rays),
                 boxes = float(tree.box_tests) / float(rays);
     INFO("triangle tests a ray ", triangles, ", box tests a ray ", boxes);
@@ -143,7 +143,7 @@ TEST_CASE("among 2,000 random triangles a ray asks about 10 of them") {
                   "260 or 400: the heuristic upside down, or one axis only; or boxes behind the ray or "
                   "beyond what was found are entered");
     CHECK(tree.rays == rays);
-    const Tally brute = cost_of(scene, Accel::brute, 100);
+    const RayStats brute = cost_of(scene, Accel::brute, 100);
     CHECK(brute.triangle_tests == 100 * 2000);
     CHECK(brute.box_tests == 0);
 }

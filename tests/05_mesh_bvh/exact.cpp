@@ -17,7 +17,7 @@ float any_size(Random& random) {
 /// Triangles, quads and balls of sizes that span six orders, in a few metres, and a plane.
 Scene mixed_scene(std::uint64_t seed) {
     Random random(seed);
-    ObjFile file = empty_file();
+    ObjModel file = empty_file();
     for (int i = 0; i < 400; ++i) {
         const vec3 middle = 3.0f * random_direction(random);
         const float size = any_size(random);
@@ -86,7 +86,7 @@ TEST_CASE("a new ray starts off the surface and on the right side, whatever the 
     Random random(32);
     double lowest = infinity, highest = 0;
     for (int i = 0; i < 20000; ++i) {
-        ObjFile file = empty_file();
+        ObjModel file = empty_file();
         const float size = any_size(random), away = any_size(random);
         const vec3 shift = any_size(random) * random_direction(random);
         const vec3 a = shift + size * random_direction(random), b = shift + size * random_direction(random),
@@ -121,7 +121,7 @@ TEST_CASE("a floor of a metre or a kilometre throws no shadow on itself, and let
         Random random(33);
         const vec3 up = normalize(vec3(0.3f, 1, -0.2f)), right = normalize(cross(up, vec3(0.1f, 0.2f, 1)));
         const vec3 forward = cross(right, up);
-        ObjFile file = empty_file();
+        ObjModel file = empty_file();
         const auto corner = [&](float x, float y) {
             return vec3(0.4f, -0.7f, 0.2f) + size * (x * right + y * forward);
         };
@@ -153,7 +153,7 @@ TEST_CASE("a floor of a metre or a kilometre throws no shadow on itself, and let
 
 TEST_CASE("what lies behind the surface is hidden by it, however its normal is bent") {
     const vec3 n = normalize(vec3(0.2f, 1, 0.1f)), bent = normalize(n + 0.8f * vec3(1, 0, 0));
-    ObjFile file = empty_file();
+    ObjModel file = empty_file();
     const vec3 u = normalize(cross(n, vec3(0, 0, 1))), v = cross(n, u);
     add_triangle(file, -4.0f * u - 4.0f * v, 4.0f * u - 4.0f * v, 6.0f * v);
     Scene scene;
@@ -170,7 +170,7 @@ TEST_CASE("what lies behind the surface is hidden by it, however its normal is b
 
 TEST_CASE("a model of a picometre or a petametre has normals, and is met where it is") {
     for (const float size : {1e-12f, 1e-6f, 1.0f, 1e9f, 1e15f}) {
-        ObjFile file = icosphere(2);
+        ObjModel file = icosphere(2);
         transform(file, size, size * vec3(0.3f, -0.2f, 0.5f));
         Scene scene;
         add_model(scene, file, 60);
@@ -189,7 +189,7 @@ TEST_CASE("a model of a picometre or a petametre has normals, and is met where i
 }
 
 TEST_CASE("models that are far from the origin are told apart by double coordinates") {
-    ObjFile near = icosphere(1), far = icosphere(1);
+    ObjModel near = icosphere(1), far = icosphere(1);
     near.origin = {500000, 120, 4649776};
     far.origin = {500010.25, 118.5, 4649770};
     Scene scene;

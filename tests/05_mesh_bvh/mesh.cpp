@@ -17,7 +17,7 @@ struct Scene {
     Mesh mesh;
 };
 
-Scene scene_of(const ObjFile& file) {
+Scene scene_of(const ObjModel& file) {
     Scene scene;
     append_model(scene.mesh, file, {0}, 40);
     return scene;
@@ -42,7 +42,7 @@ TEST_CASE("the box of a sphere and of a triangle touches it on all sides") {
     const Aabb sphere = bounds(Sphere{{1, -2, 3}, 2, 0});
     CHECK(sphere.min == vec3(-1, -4, 1));
     CHECK(sphere.max == vec3(3, 0, 5));
-    ObjFile file = empty_file();
+    ObjModel file = empty_file();
     add_triangle(file, a, b, c);
     add_triangle(file, c + 1.0f, a + 1.0f, b + 1.0f);
     const Scene scene = scene_of(file);
@@ -54,10 +54,10 @@ TEST_CASE("the box of a sphere and of a triangle touches it on all sides") {
 }
 
 TEST_CASE("the true normal of a hit is unit, at right angles to the triangle and on the side of the ray") {
-    ObjFile file = empty_file();
+    ObjModel file = empty_file();
     add_triangle(file, a, b, c);
     file.normals = {vec3(1, -1, 3)};
-    for (ObjCorner& corner : file.triangles[0]) corner.normal = 0;
+    for (ObjIndex& corner : file.triangles[0]) corner.normal = 0;
     const Scene scene = scene_of(file);
     const vec3 n = normalize(cross(b - a, c - a));
     for (const float side : {1.0f, -1.0f}) {
@@ -73,7 +73,7 @@ TEST_CASE("the true normal of a hit is unit, at right angles to the triangle and
 }
 
 TEST_CASE("normals and uv run over a triangle as the weights of its corners do") {
-    ObjFile file = empty_file();
+    ObjModel file = empty_file();
     add_triangle(file, {0, 0, 0}, {2, 0, 0}, {0, 3, 0});
     file.normals = {{0, 0, 5}, {0.6f, 0, 0.8f}, {0, 2, 2}};
     file.uvs = {{0.1f, 0.9f}, {0.7f, 0.2f}, {3, -2}};
@@ -93,7 +93,7 @@ TEST_CASE("normals and uv run over a triangle as the weights of its corners do")
 }
 
 TEST_CASE("a triangle without uv lies at uv 0") {
-    ObjFile file = empty_file();
+    ObjModel file = empty_file();
     add_triangle(file, a, b, c);
     const auto hit = intersect(scene_of(file), Ray{(a + b + c) / 3.0f + vec3(0, 0, 3), {0, 0, -1}});
     REQUIRE(hit);
@@ -126,11 +126,11 @@ TEST_CASE("a normal is bent no further than needed for a mirror to clear the sur
 }
 
 TEST_CASE("at a seam of the uv map each triangle keeps its own uv") {
-    ObjFile file = empty_file();
+    ObjModel file = empty_file();
     file.positions = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}};
     file.uvs = {{0.1f, 0.2f}, {0.9f, 0.3f}};
     file.triangles = {{{{0, 0}, {1, 0}, {2, 0}}}, {{{0, 1}, {2, 1}, {3, 1}}}};
-    file.materials = {0, 0};
+    file.triangle_materials = {0, 0};
     const Scene scene = scene_of(file);
     CHECK(intersect(scene, Ray{{1.5f, 0.5f, 2}, {0, 0, -1}})->uv == approx({0.1f, 0.2f}));
     CHECK_MESSAGE(intersect(scene, Ray{{0.5f, 1.5f, 2}, {0, 0, -1}})->uv == approx({0.9f, 0.3f}),
@@ -138,7 +138,7 @@ TEST_CASE("at a seam of the uv map each triangle keeps its own uv") {
 }
 
 TEST_CASE("place scales a model, turns it from +z towards +x and then shifts it") {
-    ObjFile file = empty_file();
+    ObjModel file = empty_file();
     add_triangle(file, {0, 0, 1}, {1, 0, 0}, {0, 3, 0});
     file.normals = {{0, 0, 1}};
     transform(file, 2, 90, {10, 20, 30});

@@ -11,7 +11,7 @@ using namespace rt;
 
 TEST_CASE("no ray that is aimed at a corner or an edge of a closed mesh from inside gets out") {
     for (const float scale : {1.0f, 1e-3f, 1e4f}) {
-        ObjFile file = icosphere(3);
+        ObjModel file = icosphere(3);
         transform(file, scale, scale * vec3(0.3f, -0.2f, 0.1f));
         const Scene scene = scene_of(file);
         Random random(12);
@@ -92,7 +92,7 @@ TEST_CASE("a ball without normals gets round, a cube without normals keeps its e
 
 TEST_CASE("an edge is smoothed if it is blunter than the crease angle") {
     // Two squares that meet in the y axis, one bent down by 30 degrees.
-    ObjFile file = empty_file();
+    ObjModel file = empty_file();
     const vec3 down{std::cos(glm::radians(30.0f)), 0, -std::sin(glm::radians(30.0f))};
     add_triangle(file, {-1, 0, 0}, {0, 0, 0}, {0, 1, 0});
     add_triangle(file, {0, 0, 0}, down, {0, 1, 0});
@@ -109,7 +109,7 @@ TEST_CASE("an edge is smoothed if it is blunter than the crease angle") {
 }
 
 TEST_CASE("normals that the file gives are kept, those that it does not are made") {
-    ObjFile file = empty_file();
+    ObjModel file = empty_file();
     add_triangle(file, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
     file.normals = {vec3(3, 0, 4)};
     file.triangles[0][1].normal = 0;

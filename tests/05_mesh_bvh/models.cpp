@@ -12,8 +12,8 @@
 using namespace rt;
 
 TEST_CASE("a glass mesh is a lens: from inside a ball of triangles light comes out again") {
-    ObjFile file = icosphere(4);
-    file.material_list = {{.ior = 1.5f, .glass = true}};
+    ObjModel file = icosphere(4);
+    file.materials = {{.ior = 1.5f, .glass = true}};
     Scene scene = scene_of(file);
     scene.sky = {vec3(1), vec3(1)};
     for (const float offset : {0.0f, 0.2f, 0.5f, 0.7f}) {

@@ -6,14 +6,14 @@
 using namespace rt;
 
 TEST_CASE("two models in one scene keep their own triangles and materials") {
-    ObjFile one = empty_file(), two = empty_file();
+    ObjModel one = empty_file(), two = empty_file();
     add_triangle(one, {-1, -1, 0}, {1, -1, 0}, {0, 1, 0});
     add_triangle(two, {-1, -1, 1}, {1, -1, 1}, {0, 1, 1});
     add_triangle(two, {-1, -1, 2}, {1, -1, 2}, {0, 1, 2});
-    one.material_list = {{.name = "red", .diffuse = {0.8f, 0.1f, 0.1f}}};
-    two.material_list = {{.name = "green", .diffuse = {0.1f, 0.8f, 0.1f}},
-                         {.name = "lamp", .emission = {3, 2, 1}}};
-    two.materials = {1, 0};
+    one.materials = {{.name = "red", .diffuse = {0.8f, 0.1f, 0.1f}}};
+    two.materials = {{.name = "green", .diffuse = {0.1f, 0.8f, 0.1f}},
+                     {.name = "lamp", .emission = {3, 2, 1}}};
+    two.triangle_materials = {1, 0};
     Scene scene;
     add(scene.materials, emissive(vec3(7)));
     add_model(scene, one, 40);

@@ -15,7 +15,7 @@ TEST_CASE("the nearest of several things is met, whichever kind it is") {
             scene.spheres = {{{0, 0, depth(0) - 0.25f}, 0.25f, 0}};
             scene.planes = {{{0, 0, depth(1)}, {0, 0, 1}, 1}};
             scene.quads = {{{-1, -1, depth(2)}, {2, 0, 0}, {0, 2, 0}, 2}};
-            ObjFile file = empty_file();
+            ObjModel file = empty_file();
             add_triangle(file, {-3, -3, depth(3)}, {3, -3, depth(3)}, {0, 3, depth(3)});
             add_model(scene, file, 40);
             build_bvhs(scene);

@@ -101,11 +101,11 @@ TEST_CASE("the tests of the wide trees are counted for --view work alone") {
     const Ray ray{{0.5f, 0.5f, 3}, {0, 0, -1}};
     for (const bool counted : {false, true}) {
         scene.count_tests = counted;
-        tally = {};
+        ray_stats = {};
         CHECK(intersect(scene, ray));
         CHECK(occluded(scene, ray));
-        CHECK(tally.rays == 2);
-        CHECK((tally.box_tests > 0) == counted);
-        CHECK((tally.triangle_tests > 0) == counted);
+        CHECK(ray_stats.rays == 2);
+        CHECK((ray_stats.box_tests > 0) == counted);
+        CHECK((ray_stats.triangle_tests > 0) == counted);
     }
 }

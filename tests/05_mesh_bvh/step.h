@@ -11,7 +11,7 @@
 
 namespace rt {
 
-inline Scene scene_of(const ObjFile& file, float crease = 40) {
+inline Scene scene_of(const ObjModel& file, float crease = 40) {
     Scene scene;
     add_model(scene, file, crease);
     build_bvhs(scene);

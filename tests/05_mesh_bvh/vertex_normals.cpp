@@ -10,16 +10,16 @@ using namespace rt;
 
 namespace {
 
-vec3 position_of(const ObjFile& file, const ObjCorner& corner) {
+vec3 position_of(const ObjModel& file, const ObjIndex& corner) {
     return file.positions[std::size_t(corner.position)];
 }
 
-dvec3 area_of(const ObjFile& file, const std::array<ObjCorner, 3>& t) {
+dvec3 area_of(const ObjModel& file, const std::array<ObjIndex, 3>& t) {
     return area_normal({position_of(file, t[0]), position_of(file, t[1]), position_of(file, t[2])});
 }
 
 /// The definition of smooth_normals(), word by word.
-vec3 asked_normal(const ObjFile& file, std::size_t triangle, std::size_t corner, float crease) {
+vec3 asked_normal(const ObjModel& file, std::size_t triangle, std::size_t corner, float crease) {
     const vec3 here = position_of(file, file.triangles[triangle][corner]);
     const dvec3 own = area_of(file, file.triangles[triangle]);
     dvec3 sum(0);
@@ -27,7 +27,7 @@ vec3 asked_normal(const ObjFile& file, std::size_t triangle, std::size_t corner,
         const dvec3 other = area_of(file, t);
         const bool near =
             dot(own, other) >= double(std::cos(glm::radians(crease))) * length(own) * length(other);
-        for (const ObjCorner& c : t)
+        for (const ObjIndex& c : t)
             if (near && position_of(file, c) == here) sum += other;
     }
     return vec3(normalize(length(sum) > 0 ? sum : own));
@@ -36,7 +36,7 @@ vec3 asked_normal(const ObjFile& file, std::size_t triangle, std::size_t corner,
 } // namespace
 
 TEST_CASE("large faces pull a smoothed normal more than small ones") {
-    ObjFile file = empty_file();
+    ObjModel file = empty_file();
     add_triangle(file, {0, 0, 0}, {0, -1, 0}, {3, 0, 0});       // area 1.5, faces up
     add_triangle(file, {0, 0, 0}, {0, 0.5f, 0.5f}, {-1, 0, 0}); // area .3536, leans
     const auto normals = smooth_normals(file, 180);
@@ -51,7 +51,7 @@ TEST_CASE("a smoothed normal is what asking every face gives, to the last bit") 
     for (int round = 0; round < 300; ++round) {
         // Points of a small grid, so that many fall together, lie in one plane or fold back on themselves;
         // zeros of both signs, and some moved.
-        ObjFile file = empty_file();
+        ObjModel file = empty_file();
         const float moved = round % 2 == 0 ? 0 : 0.3f;
         const auto point = [&] {
             const vec3 p = glm::floor(3.0f * random_point(random)) - 1.0f;
@@ -76,7 +76,7 @@ TEST_CASE("a smoothed normal is what asking every face gives, to the last bit") 
 
 TEST_CASE("a hundred thousand faces may meet in one point") {
     // A flat cone once without normals and once with a normal for each face at its tip.
-    ObjFile file = empty_file();
+    ObjModel file = empty_file();
     const int count = 100000;
     file.positions = {{0, 0.2f, 0}};
     for (int i = 0; i < count; ++i) {
@@ -84,7 +84,7 @@ TEST_CASE("a hundred thousand faces may meet in one point") {
         file.positions.push_back({std::cos(angle), 0, -std::sin(angle)});
         file.normals.push_back({0.2f * std::cos(angle), 1, -0.2f * std::sin(angle)});
         file.triangles.push_back({{{0}, {1 + i}, {1 + (i + 1) % count}}});
-        file.materials.push_back(0);
+        file.triangle_materials.push_back(0);
     }
     const auto seconds = [&] {
         const std::clock_t start = std::clock();
@@ -97,13 +97,13 @@ TEST_CASE("a hundred thousand faces may meet in one point") {
     const double made = seconds();
     CHECK_MESSAGE(made < 4, made, usual);
     for (std::size_t i = 0; i < file.triangles.size(); ++i)
-        for (ObjCorner& corner : file.triangles[i]) corner.normal = int(i);
+        for (ObjIndex& corner : file.triangles[i]) corner.normal = int(i);
     const double given = seconds();
     CHECK_MESSAGE(given < 4, given, usual);
 }
 
 TEST_CASE("faces of different smoothing groups share no normals, and faces of group 0 are flat") {
-    ObjFile file = empty_file();
+    ObjModel file = empty_file();
     add_triangle(file, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});     // in the plane z = 0
     add_triangle(file, {0, 0, 0}, {0, 1, 0}, {-1, 0, 0.2f}); // and three that lean a little
     add_triangle(file, {0, 0, 0}, {-1, 0, 0.2f}, {0, -1, 0.1f});
@@ -131,7 +131,7 @@ TEST_CASE("faces of different smoothing groups share no normals, and faces of gr
 }
 
 TEST_CASE("a model that is placed anew is where it is placed, wherever its file had it") {
-    ObjFile file = empty_file();
+    ObjModel file = empty_file();
     add_triangle(file, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
     file.origin = dvec3(5e5, 0, 5e6);
     transform(file, 2, 0, {1, 2, 3});

@@ -11,19 +11,19 @@ using namespace rt;
 namespace {
 
 /// A triangle of twice the unit square in the plane y = height, with uv (x, -z), its mask on the material.
-void add_leaf(ObjFile& file, float height, int material) {
+void add_leaf(ObjModel& file, float height, int material) {
     const int p = int(file.positions.size());
     file.positions.insert(file.positions.end(), {{0, height, 0}, {2, height, 0}, {0, height, -2}});
     file.uvs.insert(file.uvs.end(), {{0, 0}, {2, 0}, {0, 2}});
     file.triangles.push_back({{{p, p}, {p + 1, p + 1}, {p + 2, p + 2}}});
-    file.materials.push_back(material);
+    file.triangle_materials.push_back(material);
 }
 
 /// A floor without holes, two leaves above it. The mask is opaque on its left half (u below 1/2).
 Scene leaves(Accel accel) {
-    ObjFile file;
-    file.material_list = {{.name = "floor", .diffuse = vec3(0.5f)},
-                          {.name = "leaf", .diffuse = vec3(0.9f), .mask = 0}};
+    ObjModel file;
+    file.materials = {{.name = "floor", .diffuse = vec3(0.5f)},
+                      {.name = "leaf", .diffuse = vec3(0.9f), .mask = 0}};
     Mask mask{8, 8, {}};
     for (int i = 0; i < 64; ++i) mask.opacity.push_back(i % 8 < 4 ? 65535 : 0);
     file.masks = {mask};
@@ -85,8 +85,8 @@ TEST_CASE("a mask is a share and no colour") {
 }
 
 TEST_CASE("what glows has no holes") {
-    ObjFile file;
-    file.material_list = {{.name = "lamp", .diffuse = vec3(0), .emission = vec3(2), .mask = 0}};
+    ObjModel file;
+    file.materials = {{.name = "lamp", .diffuse = vec3(0), .emission = vec3(2), .mask = 0}};
     file.masks = {{1, 1, {0}}};
     add_leaf(file, 1, 0);
     Scene scene;
@@ -96,8 +96,8 @@ TEST_CASE("what glows has no holes") {
 }
 
 TEST_CASE("colors of vertices are blended over a triangle and multiply its albedo") {
-    ObjFile file = empty_file();
-    file.material_list[0].diffuse = vec3(0.5f);
+    ObjModel file = empty_file();
+    file.materials[0].diffuse = vec3(0.5f);
     add_triangle(file, {0, 0, 0}, {0, 0, 3}, {3, 0, 0});
     file.colors = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     Scene scene;

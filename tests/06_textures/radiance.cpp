@@ -44,15 +44,15 @@ TEST_CASE("a picture on a quad has its lower left corner at the quad's corner") 
 
 TEST_CASE("a picture on a mesh follows the uv of the corners") {
     // Two triangles over [0, 3] x [0, 2] with the corners of each in another order.
-    ObjFile file;
+    ObjModel file;
     file.positions = {{0, 0, 0}, {3, 0, 0}, {3, 2, 0}, {0, 2, 0}};
     file.uvs = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
     file.triangles = {{{{0, 0}, {1, 1}, {2, 2}}}, {{{3, 3}, {0, 0}, {2, 2}}}};
-    file.materials = {0, 0};
+    file.triangle_materials = {0, 0};
     Bitmap bitmap{3, 2, {}};
     for (int i = 0; i < 18; ++i) bitmap.values.push_back(code(14 * i));
     file.textures = {bitmap};
-    file.material_list = {{.name = "card", .diffuse = vec3(1), .texture = 0}};
+    file.materials = {{.name = "card", .diffuse = vec3(1), .texture = 0}};
     Scene scene = evenly_lit();
     add_model(scene, file, 40);
     build_bvhs(scene);

@@ -18,8 +18,8 @@ namespace {
 const std::array even_kinds{SamplerKind::stratified, SamplerKind::sobol};
 
 Sampler sampler_of(SamplerKind kind, int pixel, int index, int count, std::uint64_t seed) {
-    return {kind, Sample{pixel % 640, pixel / 640, index, count,
-                         Random(pixel % 640, pixel / 640, index, seed), seed}};
+    return {kind, PixelSample{pixel % 640, pixel / 640, index, count,
+                              Random(pixel % 640, pixel / 640, index, seed), seed}};
 }
 
 /// What a sample asks for in these tests: a pair, a number, a pair, a number.
@@ -213,7 +213,7 @@ TEST_CASE("a pixel, a seed or a sample more, and the numbers know nothing of tho
 
 TEST_CASE("the random sampler hands out what Random does") {
     Random random(4, 2, 9, 77), same = random;
-    Sampler of_sample(SamplerKind::random, Sample{4, 2, 9, 16, random, 77}), of_random(random);
+    Sampler of_sample(SamplerKind::random, PixelSample{4, 2, 9, 16, random, 77}), of_random(random);
     for (int i = 0; i < 10; ++i) {
         const float one = same.uniform();
         const vec2 two = same.uniform2();
@@ -226,7 +226,7 @@ TEST_CASE("the random sampler hands out what Random does") {
 
 TEST_CASE("every sample of every pixel has its own place") {
     const auto first = [](SamplerKind kind, int x, int y, int index, std::uint64_t seed) {
-        return Sampler(kind, Sample{x, y, index, 16, Random(x, y, index, seed), seed}).uniform2();
+        return Sampler(kind, PixelSample{x, y, index, 16, Random(x, y, index, seed), seed}).uniform2();
     };
     for (const SamplerKind kind : kinds) {
         INFO(name(kind) << ": equal places mean one seed for all pixels (a fixed dirt over the picture)");
@@ -243,7 +243,7 @@ TEST_CASE("render gives neighbouring pixels and samples different places") {
     std::array<vec2, 6> places{};
     RenderSettings wanted = picture(2, 2, 2);
     wanted.threads = 1;
-    render(wanted, [&](const Sample& sample) {
+    render(wanted, [&](const PixelSample& sample) {
         const vec2 u = Sampler(SamplerKind::random, sample).uniform2();
         const int pixel = sample.y * 2 + sample.x;
         if (pixel < 3) places[std::size_t(pixel * 2 + sample.index)] = u;

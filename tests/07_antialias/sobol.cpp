@@ -43,7 +43,7 @@ TEST_CASE("Owen's scrambling sends boxes to boxes, and flips each digit for itse
         for (int before = 0; before < digit; ++before) {
             std::vector<int> flips(4, 0);
             for (int key = 0; key < 10'000; ++key) {
-                const auto bits = std::uint32_t(scatter(std::uint64_t(key)));
+                const auto bits = std::uint32_t(mix64(std::uint64_t(key)));
                 const auto flip = [&](std::uint32_t x) { return owen_scramble(x, bits) >> digit & 1; };
                 ++flips[flip(0) * 2 + flip(1u << before)];
             }

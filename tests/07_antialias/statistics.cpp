@@ -19,7 +19,7 @@ namespace {
 /// A world that is a function of the place in the picture alone, seen as step 07 sees its scene.
 Film photograph(const RenderSettings& wanted, SamplerKind kind, Filter filter, float width,
                 const std::function<vec3(vec2)>& world) {
-    return render(wanted, [&](const Sample& sample) {
+    return render(wanted, [&](const PixelSample& sample) {
         Sampler sampler(kind, sample);
         return world(film_point(sample, sampler, filter, width));
     });

@@ -20,7 +20,7 @@ inline std::string name(SamplerKind kind) {
 
 /// The first point that sample `index` of `count` of a pixel asks for.
 inline vec2 first_point(SamplerKind kind, int index, int count, int pixel, std::uint64_t seed) {
-    return Sampler(kind, Sample{pixel, 0, index, count, Random(pixel, 0, index, seed), seed}).uniform2();
+    return Sampler(kind, PixelSample{pixel, 0, index, count, Random(pixel, 0, index, seed), seed}).uniform2();
 }
 
 inline RenderSettings picture(int width, int height, int samples, std::uint64_t seed = 7) {

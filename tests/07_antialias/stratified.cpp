@@ -116,7 +116,7 @@ TEST_CASE("a permutation reaches every place once, for any count and key") {
         for (std::uint64_t key = 1; key <= 20; ++key) {
             std::vector<int> visits(std::size_t(count), 0);
             for (int i = 0; i < count; ++i) {
-                const int place = permutation_element(i, count, scatter(key));
+                const int place = permutation_element(i, count, mix64(key));
                 REQUIRE(place >= 0);
                 REQUIRE(place < count);
                 ++visits[std::size_t(place)];
@@ -130,10 +130,10 @@ TEST_CASE("over the keys, any two samples are sent to any two places equally oft
     for (const int count : {2, 3, 4, 5, 7, 8, 12, 16, 30, 64}) {
         const auto n = std::size_t(count);
         std::vector<int> found(n * n, 0);
-        const auto first = int(scatter(std::uint64_t(count)) % n);
+        const auto first = int(mix64(std::uint64_t(count)) % n);
         const int second = (first + 1) % count;
         for (int key = 0; key < 40 * count * count; ++key) {
-            const std::uint64_t bits = scatter(std::uint64_t(key) << 8 | n);
+            const std::uint64_t bits = mix64(std::uint64_t(key) << 8 | n);
             const auto place = std::size_t(permutation_element(first, count, bits));
             ++found[place * n + std::size_t(permutation_element(second, count, bits))];
         }

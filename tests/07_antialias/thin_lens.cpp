@@ -70,7 +70,7 @@ TEST_CASE("a lens without width is the pinhole, bit by bit") {
             CHECK(ray.origin == pinhole.origin);
             CHECK(ray.direction == pinhole.direction);
         }
-    Sampler asked(SamplerKind::sobol, Sample{1, 2, 3, 16, Random(1, 2, 3, 4), 4}), untouched = asked;
+    Sampler asked(SamplerKind::sobol, PixelSample{1, 2, 3, 16, Random(1, 2, 3, 4), 4}), untouched = asked;
     CHECK(sample_camera_ray(camera, {0, 3}, vec2(9), asked).direction ==
           camera_ray(camera, vec2(9)).direction);
     CHECK_MESSAGE(asked.uniform() == untouched.uniform(), "a pinhole asks for no numbers");

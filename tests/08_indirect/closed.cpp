@@ -15,8 +15,8 @@ Scene ball(vec3 albedo, Accel accel, bool lamps) {
     scene.accel = accel;
     scene.sky = {.nadir = vec3(1), .zenith = vec3(1)};
     if (lamps) scene.lights = {{{1.5f, 0.3f, 0.2f}, vec3(9)}};
-    ObjFile file = icosphere(1);
-    file.material_list[0].diffuse = albedo;
+    ObjModel file = icosphere(1);
+    file.materials[0].diffuse = albedo;
     add_model(scene, file, 180);
     if (lamps)
         scene.quads = {{{-2, 1.2f, -2}, {4, 0.1f, 0}, {0, 0, 4}, add(scene.materials, emissive(vec3(5)))}};

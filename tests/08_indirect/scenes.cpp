@@ -196,10 +196,10 @@ TEST_CASE(
 
 TEST_CASE("a list of balls becomes a scene with the same balls") {
     Scene scene;
-    const std::vector<ListedSphere> list{
-        {ListedSphere::Kind::matte, {1, 2, 3}, 0.5f, {0.1f, 0.2f, 0.3f}},
-        {ListedSphere::Kind::metal, {4, 5, 6}, 1.5f, {0.4f, 0.5f, 0.6f}, 0.25f},
-        {.kind = ListedSphere::Kind::glass, .center = {7, 8, 9}, .radius = 2, .ior = 1.7f}};
+    const std::vector<SphereRecord> list{
+        {SphereRecord::Kind::matte, {1, 2, 3}, 0.5f, {0.1f, 0.2f, 0.3f}},
+        {SphereRecord::Kind::metal, {4, 5, 6}, 1.5f, {0.4f, 0.5f, 0.6f}, 0.25f},
+        {.kind = SphereRecord::Kind::glass, .center = {7, 8, 9}, .radius = 2, .ior = 1.7f}};
     const LookAt look_at = weekend(scene, list);
     CHECK(look_at.from == vec3(13, 2, 3));
     REQUIRE(scene.spheres.size() == 3);

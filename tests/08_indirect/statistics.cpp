@@ -136,10 +136,10 @@ TEST_CASE("roulette saves work: in a dim closed room most paths end long before 
     scene.spheres = {{{1, 2, 3}, 2, add(scene.materials, Diffuse{vec3(0.4f), vec3(1)})}};
     build_bvhs(scene);
     const auto rays = [&](bool with_roulette) {
-        tally = {};
+        ray_stats = {};
         channels_seen(scene, {30, true, DirectLighting::light_sampling, with_roulette},
                       {{0.5f, 2, 3}, {1, 0.3f, -0.2f}}, 500, 7);
-        return double(tally.rays);
+        return double(ray_stats.rays);
     };
     const double full = rays(false), played = rays(true);
     INFO(full << " rays without roulette, " << played << " with it");

@@ -109,8 +109,8 @@ TEST_CASE("triangles with Ke in a mesh's MTL are area lights on both sides") {
     std::ofstream(folder / "lamp.obj") << "mtllib box.mtl\nv -4 0 -4\nv 4 0 -4\nv 4 0 4\nv -4 0 4\n"
                                           "v -.5 2 -.5\nv .7 2.3 -.4\nv .1 2.1 .8\n"
                                           "usemtl grey\nf 1 4 3 2\nusemtl lamp\nf 5 6 7\n";
-    const ObjFile box = read_obj((folder / "box.obj").string());
-    const ObjFile lamp = read_obj((folder / "lamp.obj").string());
+    const ObjModel box = read_obj((folder / "box.obj").string());
+    const ObjModel lamp = read_obj((folder / "lamp.obj").string());
     std::filesystem::remove_all(folder);
 
     Scene closed;

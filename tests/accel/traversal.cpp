@@ -16,7 +16,7 @@ struct Subject {
     Mesh mesh;
     accel::TriangleBvh bvh;
 
-    explicit Subject(const ObjFile& file) {
+    explicit Subject(const ObjModel& file) {
         append(mesh, file, {0}, 0);
         bvh = accel::build_triangle_bvh(accel::TriangleMesh{mesh.positions, mesh.triangles});
     }
@@ -78,7 +78,7 @@ void check_tree(const Subject& subject, const Box& box, int count) {
     CHECK_MESSAGE(shadows == 0, "any_hit() must agree with closest_hit()");
 }
 
-void check_tree(const ObjFile& file, int count) {
+void check_tree(const ObjModel& file, int count) {
     const Subject subject(file);
     check_tree(subject, bounds(subject.mesh), count);
 }
@@ -89,20 +89,20 @@ TEST_CASE("the tree finds what testing every triangle finds") {
     check_tree(random_triangles(2000, 0.15f), 1200);
     check_tree(flat_grid(20), 1500);
     check_tree(icosphere(3), 1500);
-    ObjFile far = random_triangles(300, 0.3f);
+    ObjModel far = random_triangles(300, 0.3f);
     transform(far, 50, vec3(1e4f, -1e4f, 1e4f));
     check_tree(far, 2000);
-    ObjFile small = random_triangles(300, 0.3f);
+    ObjModel small = random_triangles(300, 0.3f);
     transform(small, 1e-3f, vec3(0));
     check_tree(small, 2000);
 }
 
 TEST_CASE("the tree finds what testing every triangle finds, among identical, flat and huge ones") {
     const vec3 a = {1, -2, 3}, b = {3, 1, 4}, c = {-1, 2, 6};
-    ObjFile identical = empty_file();
+    ObjModel identical = empty_file();
     for (int i = 0; i < 100; ++i) add_triangle(identical, a, b, c);
     check_tree(identical, 1000);
-    ObjFile file = empty_file();
+    ObjModel file = empty_file();
     Random random(84);
     for (int i = 0; i < 300; ++i) {
         const vec3 p = random_point(random);
@@ -173,8 +173,8 @@ TEST_CASE("a tree of spheres finds what testing every sphere finds, to the last 
 
 TEST_CASE("a ray that aims at an edge or a vertex that triangles share never slips through, in float") {
     for (const float far : {1.0f, 30.0f, 3000.0f}) {
-        const ObjFile files[] = {icosphere(3), flat_grid(24)};
-        for (const ObjFile& file : files) {
+        const ObjModel files[] = {icosphere(3), flat_grid(24)};
+        for (const ObjModel& file : files) {
             const Subject subject(file);
             Random random(82);
             int slipped = 0, shadows = 0;

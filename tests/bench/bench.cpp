@@ -179,9 +179,10 @@ TEST_CASE("medians and geometric means") {
 
 TEST_CASE("what is written as JSON is read back") {
     const std::string text =
-        object({{"name", json_text("a \"b\" \\ c")},
-                {"list", array({object({{"x", number(1.25)}}), number(unknown), number(std::int64_t(7))})},
-                {"empty", array({})}});
+        json::object({{"name", json::text("a \"b\" \\ c")},
+                      {"list", json::array({json::object({{"x", json::number(1.25)}}), json::number(unknown),
+                                            json::number(std::int64_t(7))})},
+                      {"empty", json::array({})}});
     const Json json = parse_json(text);
     CHECK(field(json, "name").text == "a \"b\" \\ c");
     REQUIRE(field(json, "list").list.size() == 3);
@@ -196,18 +197,18 @@ TEST_CASE("every text comes back from JSON: letters of all languages, control ch
     std::string text = "caf\u00E9 \u4E2D \U0001F600 \t\n\r\b\f \"\\/\u0085\u2028";
     for (char c = 0; c < '\x7F'; ++c) text += c;
     text += '\x7F';
-    CHECK(parse_json(json_text(text)).text == text);
-    CHECK(json_text("\x1f\x7f\t") == "\"\\u001f\\u007f\\u0009\"");
+    CHECK(parse_json(json::text(text)).text == text);
+    CHECK(json::text("\x1f\x7f\t") == "\"\\u001f\\u007f\\u0009\"");
     CHECK(parse_json("\"\\b\\f\\n\\r\\t\\/\\u0041\"").text == "\b\f\n\r\t/A");
 }
 
 TEST_CASE("bytes that are not UTF-8 come back from JSON as U+FFFD, each of them") {
-    CHECK(parse_json(json_text("caf\xE9!")).text == "caf\uFFFD!");
+    CHECK(parse_json(json::text("caf\xE9!")).text == "caf\uFFFD!");
     for (int i = 0; i < 0x10000; ++i) {
         const std::string pair{char(i >> 8), char(i)};
-        const std::string once = parse_json(json_text(pair)).text;
+        const std::string once = parse_json(json::text(pair)).text;
         const bool valid = once == pair;
-        if (parse_json(json_text(once)).text != once || (!valid && once.find("\uFFFD") == std::string::npos))
+        if (parse_json(json::text(once)).text != once || (!valid && once.find("\uFFFD") == std::string::npos))
             FAIL("bytes ", i);
     }
 }

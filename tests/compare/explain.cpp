@@ -9,18 +9,19 @@
 #include <vector>
 
 using namespace rt;
+using namespace rt::compare;
 using namespace rt::malformed;
 
 namespace {
 
 const std::vector<std::string> storages{"floats", ".hdr", ".png"};
 
-StoredImage stored(const Image& image, const std::string& how) {
-    return how == "floats" ? StoredImage{image} : through_file(image, how);
+EncodedImage encoded(const Image& image, const std::string& how) {
+    return how == "floats" ? EncodedImage{image} : through_file(image, how);
 }
 
 std::string explained(const Image& test, const Image& reference, const std::string& how = "floats") {
-    return explain(stored(test, how), stored(reference, how), {});
+    return explain(encoded(test, how), encoded(reference, how), {});
 }
 
 std::string explained_noisy(const Image& test, const Image& reference) {

@@ -13,6 +13,7 @@
 #include <limits>
 
 using namespace rt;
+using namespace rt::compare;
 using namespace rt::malformed;
 
 namespace {
@@ -72,7 +73,7 @@ Image lively(int width, int height, std::uint64_t seed) {
 }
 
 void check_golden(const Image& reference, const Image& test, double mean, double max) {
-    const Flip result = flip(reference, test, 67.020645);
+    const FlipMap result = flip(reference, test, 67.020645);
     CHECK_MESSAGE(std::abs(result.mean - mean) <= 1e-4,
                   "mean " << result.mean << " where " << mean << " is known");
     CHECK_MESSAGE(std::abs(result.max - max) <= 5e-4,
@@ -107,10 +108,10 @@ TEST_CASE("the usual screen has 67.0206 pixels a degree") {
 
 TEST_CASE("FLIP is zero for equal pictures and does not care which is the reference") {
     const Image a = lively(50, 40, 1), b = lively(50, 40, 2);
-    const Flip same = flip(a, a);
+    const FlipMap same = flip(a, a);
     CHECK(same.mean == 0);
     CHECK(same.max == 0);
-    const Flip ab = flip(a, b), ba = flip(b, a);
+    const FlipMap ab = flip(a, b), ba = flip(b, a);
     CHECK(ab.mean > 0.1);
     CHECK(ab.mean == ba.mean);
     CHECK(ab.errors == ba.errors);
@@ -122,7 +123,7 @@ TEST_CASE("pictures that are smaller than what FLIP looks at: as if their border
          {std::pair(1, 1), std::pair(1, 9), std::pair(3, 2), std::pair(40, 1)}) {
         Image black(width, height), white(width, height);
         std::fill(white.pixels.begin(), white.pixels.end(), vec3(1.0f));
-        const Flip result = flip(black, white);
+        const FlipMap result = flip(black, white);
         CHECK(result.errors.size() == black.pixels.size());
         CHECK(std::abs(result.mean - 0.967388) < 1e-4);
         CHECK(std::abs(result.max - 0.967388) < 1e-4);
@@ -138,7 +139,7 @@ TEST_CASE("rows and columns swapped in both pictures swap the errors") {
             for (int x = 0; x < image.width; ++x) result(y, x) = image(x, y);
         return result;
     };
-    const Flip plain = flip(a, b), turned = flip(swapped(a), swapped(b));
+    const FlipMap plain = flip(a, b), turned = flip(swapped(a), swapped(b));
     float furthest = 0;
     for (int y = 0; y < 30; ++y)
         for (int x = 0; x < 30; ++x)
@@ -151,7 +152,7 @@ TEST_CASE("light beyond white looks white, and a pixel that is not a number is a
     Image bright = filled(vec3(7.0f));
     CHECK(flip(filled(vec3(1.0f)), bright).mean == 0);
     bright(5, 6).y = std::numeric_limits<float>::quiet_NaN();
-    const Flip result = flip(filled(vec3(1.0f)), bright);
+    const FlipMap result = flip(filled(vec3(1.0f)), bright);
     CHECK(result.errors[6 * side + 5] == 1);
     CHECK(std::isfinite(result.mean));
     CHECK(result.max == 1);

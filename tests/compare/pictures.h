@@ -9,7 +9,7 @@
 #include <cmath>
 #include <string>
 
-namespace rt {
+namespace rt::compare {
 
 /// Smooth light with a ball in it and no symmetry, as seen through a window at (left, top).
 inline Image lopsided(int width, int height, float left = 0, float top = 0) {
@@ -46,11 +46,11 @@ inline Image transposed(const Image& image) {
 }
 
 /// What a file makes of a picture.
-inline StoredImage through_file(const Image& image, const std::string& ending) {
+inline EncodedImage through_file(const Image& image, const std::string& ending) {
     const malformed::Folder folder;
     const std::string path = folder / ("picture" + ending);
     write_image(path, image);
-    return read_stored(path);
+    return read_encoded(path);
 }
 
 /// What a right renderer makes of a scene: 64 samples a pixel, exponentially distributed as light often is, and their
@@ -76,4 +76,4 @@ struct NoisyPicture {
     }
 };
 
-} // namespace rt
+} // namespace rt::compare

@@ -12,6 +12,7 @@
 #endif
 
 using namespace rt;
+using namespace rt::compare;
 using namespace rt::malformed;
 
 namespace {
@@ -22,7 +23,7 @@ struct Said {
 };
 
 /// Runs compare with a shell's words.
-Said compare(const Folder& folder, const std::string& words) {
+Said run_compare(const Folder& folder, const std::string& words) {
     const std::string out = folder / "out.txt", err = folder / "err.txt";
     const std::string line = "\"" RT_COMPARE "\" " + words + " >\"" + out + "\" 2>\"" + err + "\"";
     int code = std::system(line.c_str());
@@ -51,7 +52,7 @@ struct Pictures {
         write_image(right, lopsided(96, 64));
         write_image(flipped, mirrored(lopsided(96, 64), true, false));
     }
-    Said operator()(const std::string& words) const { return compare(folder, words); }
+    Said operator()(const std::string& words) const { return run_compare(folder, words); }
 };
 
 /// A PNG of 2 x 2 pixels.

@@ -52,7 +52,7 @@ void run_json(std::string_view bytes) {
         const bench::Json read = bench::parse_json(bytes);
         bench::number_of(bench::field(read, "a"));
     });
-    const std::string text = json_text(bytes), embedded = embedded_text(bytes);
+    const std::string text = json::text(bytes), embedded = embedded_text(bytes);
     require(!has_control(text) && !has_control(embedded), "no control character stands in JSON");
     require(is_utf8(text) && is_utf8(embedded), "JSON is UTF-8");
     require(embedded.find_first_of("<>&") == std::string::npos, "an embedded text ends no element");

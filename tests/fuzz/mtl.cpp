@@ -16,7 +16,7 @@ std::string write_model() {
                                      "usemtl b c\nf 1 2 3\nusemtl c\nf 1 3 2\n");
 }
 
-void check_material(const ObjMaterial& material, const ObjFile& file) {
+void check_material(const ObjMaterial& material, const ObjModel& file) {
     require(material.texture >= -1 && material.texture < int(file.textures.size()), "textures are in range");
     require(material.mask >= -1 && material.mask < int(file.masks.size()), "masks are in range");
     for (int i = 0; i < 3; ++i) {
@@ -32,9 +32,9 @@ void check_material(const ObjMaterial& material, const ObjFile& file) {
 void run_mtl(std::string_view bytes) {
     static const std::string model = write_model();
     write_input("of_obj.mtl", bytes);
-    ObjFile file;
+    ObjModel file;
     refusal([&] { file = read_obj(model, {1, std::size_t(1) << 20}); });
-    for (const ObjMaterial& material : file.material_list) check_material(material, file);
+    for (const ObjMaterial& material : file.materials) check_material(material, file);
 }
 
 } // namespace rt::fuzz

@@ -1,4 +1,4 @@
-// An OBJ file through the whole reader: all that ObjFile promises, and the same result however the work is divided.
+// An OBJ file through the whole reader: what ObjModel promises, and the same result however it is divided.
 #include "common/model/obj_file.h"
 #include "tests/fuzz/fuzz.h"
 
@@ -17,19 +17,19 @@ bool in_range(int index, std::size_t count) {
     return index >= 0 && std::size_t(index) < count;
 }
 
-void check_corner(const ObjFile& file, const ObjCorner& corner) {
+void check_corner(const ObjModel& file, const ObjIndex& corner) {
     require(in_range(corner.position, file.positions.size()), "positions are in range");
     require(corner.uv == -1 || in_range(corner.uv, file.uvs.size()), "texture coordinates are in range");
     require(corner.normal == -1 || in_range(corner.normal, file.normals.size()), "normals are in range");
 }
 
-void check_material(const ObjFile& file, const ObjMaterial& material) {
+void check_material(const ObjModel& file, const ObjMaterial& material) {
     require(material.texture == -1 || in_range(material.texture, file.textures.size()),
             "textures are in range");
     require(material.mask == -1 || in_range(material.mask, file.masks.size()), "masks are in range");
 }
 
-void check_vertices(const ObjFile& file) {
+void check_vertices(const ObjModel& file) {
     require(all_finite(file.positions) && all_finite(file.normals), "vectors are finite");
     for (const vec2 uv : file.uvs) require(is_finite(vec3(uv, 0)), "texture coordinates are finite");
     for (const vec3& normal : file.normals) require(normal != vec3(0), "no normal is zero");
@@ -38,17 +38,17 @@ void check_vertices(const ObjFile& file) {
         require(is_finite(color) && clamp(color, 0.0f, 1.0f) == color, "colours are in [0, 1]");
 }
 
-void check_file(const ObjFile& file) {
+void check_file(const ObjModel& file) {
     require(!file.triangles.empty(), "a file has triangles");
-    require(file.triangles.size() == file.materials.size(), "each triangle has a material");
+    require(file.triangles.size() == file.triangle_materials.size(), "each triangle has a material");
     const std::size_t groups = file.smoothing_groups.size();
     require(groups == 0 || groups == file.triangles.size(),
             "each triangle has a smoothing group, or none has");
     for (const auto& triangle : file.triangles)
-        for (const ObjCorner& corner : triangle) check_corner(file, corner);
-    for (const int material : file.materials)
-        require(in_range(material, file.material_list.size()), "materials are in range");
-    for (const ObjMaterial& material : file.material_list) check_material(file, material);
+        for (const ObjIndex& corner : triangle) check_corner(file, corner);
+    for (const int material : file.triangle_materials)
+        require(in_range(material, file.materials.size()), "materials are in range");
+    for (const ObjMaterial& material : file.materials) check_material(file, material);
     check_vertices(file);
 }
 
@@ -58,12 +58,12 @@ bool same_bytes(const std::vector<Value>& a, const std::vector<Value>& b) {
            (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0);
 }
 
-bool same(const ObjFile& a, const ObjFile& b) {
+bool same(const ObjModel& a, const ObjModel& b) {
     return a.origin == b.origin && same_bytes(a.positions, b.positions) && same_bytes(a.normals, b.normals) &&
            same_bytes(a.uvs, b.uvs) && same_bytes(a.colors, b.colors) &&
-           same_bytes(a.triangles, b.triangles) && same_bytes(a.materials, b.materials) &&
+           same_bytes(a.triangles, b.triangles) && same_bytes(a.triangle_materials, b.triangle_materials) &&
            same_bytes(a.smoothing_groups, b.smoothing_groups) &&
-           std::ranges::equal(a.material_list, b.material_list, {}, &ObjMaterial::name, &ObjMaterial::name) &&
+           std::ranges::equal(a.materials, b.materials, {}, &ObjMaterial::name, &ObjMaterial::name) &&
            a.textures.size() == b.textures.size() && a.masks.size() == b.masks.size();
 }
 
@@ -73,11 +73,11 @@ void run_obj(std::string_view bytes) {
     static const std::string library =
         write_input("m.mtl", "newmtl red\nKd 1 0 0\nnewmtl glass\nd .1\nNi 1.5\n");
     const std::string path = write_input("m.obj", bytes);
-    ObjFile whole;
+    ObjModel whole;
     const std::string refused = refusal([&] { whole = read_obj(path, {1, std::size_t(1) << 20}); });
     if (refused.empty()) check_file(whole);
-    for (const ObjReading& reading : {ObjReading{2, 1}, ObjReading{3, 29}}) {
-        ObjFile parts;
+    for (const ObjReadOptions& reading : {ObjReadOptions{2, 1}, ObjReadOptions{3, 29}}) {
+        ObjModel parts;
         require(refusal([&] { parts = read_obj(path, reading); }) == refused,
                 "chunks are refused as the whole is");
         require(!refused.empty() || same(parts, whole), "the result does not depend on chunks");

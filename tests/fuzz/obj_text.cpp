@@ -37,7 +37,7 @@ void check_chunk(const ParsedChunk& chunk, const std::string& text) {
 }
 
 void check_polygon(const std::vector<vec3>& corners) {
-    const auto triangles = cut_polygon(corners);
+    const auto triangles = triangulate(corners);
     require(triangles.size() == corners.size() - 2, "n corners make n - 2 triangles");
     for (const auto& triangle : triangles)
         for (const int corner : triangle)

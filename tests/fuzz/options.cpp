@@ -21,16 +21,16 @@ struct Silence {
     Silence& operator=(const Silence&) = delete;
 };
 
-void check_picture(const RenderSettings& picture) {
-    require(picture.width >= 1 && picture.width <= largest_side, "the width is in range");
-    require(picture.height >= 1 && picture.height <= largest_side, "the height is in range");
-    require(picture.samples >= 1 && picture.threads >= 0, "there are samples and threads");
-    const Crop& crop = picture.crop;
-    require(crop.x0 >= 0 && crop.x0 < crop.x1 && crop.x1 <= picture.width,
+void check_picture(const RenderSettings& settings) {
+    require(settings.width >= 1 && settings.width <= max_dimension, "the width is in range");
+    require(settings.height >= 1 && settings.height <= max_dimension, "the height is in range");
+    require(settings.samples >= 1 && settings.threads >= 0, "there are samples and threads");
+    const Crop& crop = settings.crop;
+    require(crop.x0 >= 0 && crop.x0 < crop.x1 && crop.x1 <= settings.width,
             "the crop's columns are in the picture");
-    require(crop.y0 >= 0 && crop.y0 < crop.y1 && crop.y1 <= picture.height,
+    require(crop.y0 >= 0 && crop.y0 < crop.y1 && crop.y1 <= settings.height,
             "the crop's rows are in the picture");
-    require(!picture.out.empty(), "the picture has a name");
+    require(!settings.out.empty(), "the picture has a name");
 }
 
 } // namespace
@@ -40,9 +40,9 @@ void run_options(std::string_view bytes) {
     std::vector<const char*> words{"prog"};
     for (const std::string& line : lines) words.push_back(line.c_str());
     Options options("prog", "What is this?", {.width = 64, .height = 40, .samples = 4});
-    const float& ior = options.knob("ior", 1.5f, 1.0f, 2.5f, "index of refraction");
-    const int& depth = options.knob("depth", 6, 0, 24, "bounces");
-    const dvec3& from = options.knob("from", vec3(1, 2, 3), "the eye");
+    const float& ior = options.option("ior", 1.5f, 1.0f, 2.5f, "index of refraction");
+    const int& depth = options.option("depth", 6, 0, 24, "bounces");
+    const dvec3& from = options.option("from", vec3(1, 2, 3), "the eye");
     options.file("mesh", "a model");
     options.flag("bare", "no floor");
     const Choice<Accel> accel = options.choice("accel", {"brute", "bvh", "wide"}, Accel::bvh, "the tree");
@@ -50,10 +50,10 @@ void run_options(std::string_view bytes) {
     bool goes_on = false;
     if (!refusal([&] { goes_on = options.parse(int(words.size()), words.data()); }).empty() || !goes_on)
         return;
-    require(ior >= 1 && ior <= 2.5f && depth >= 0 && depth <= 24, "knobs are in their ranges");
+    require(ior >= 1 && ior <= 2.5f && depth >= 0 && depth <= 24, "options are in their ranges");
     for (int i = 0; i < 3; ++i) require(std::isfinite(from[i]), "a point is finite");
     require(int(Accel(accel)) >= 0 && int(Accel(accel)) < 3, "a choice is one of the names");
-    check_picture(options.picture());
+    check_picture(options.settings());
 }
 
 } // namespace rt::fuzz

@@ -8,10 +8,10 @@ namespace rt::fuzz {
 
 void run_sphere_list(std::string_view bytes) {
     const std::string path = write_input("spheres.csv", bytes);
-    std::vector<ListedSphere> spheres;
+    std::vector<SphereRecord> spheres;
     if (!refusal([&] { spheres = read_sphere_list(path); }).empty()) return;
     require(!spheres.empty(), "a list has spheres");
-    for (const ListedSphere& sphere : spheres) {
+    for (const SphereRecord& sphere : spheres) {
         require(sphere.radius >= 1e-6f && sphere.radius <= 1e6f, "radii are in [1e-6, 1e6]");
         require(sphere.fuzz >= 0 && sphere.fuzz <= 1, "the fuzz is in [0, 1]");
         require(sphere.ior >= 1 && sphere.ior <= 10, "the index of refraction is in [1, 10]");

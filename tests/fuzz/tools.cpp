@@ -55,12 +55,12 @@ void check_diff(const std::string& text, std::size_t count) {
 
 void check_page(const std::string& page) {
     const std::vector<std::string> lines = lines_of(page);
-    for (const Block& block : find_blocks(lines, "docs/x.md"))
+    for (const weave::Block& block : weave::find_blocks(lines, "docs/x.md"))
         require(block.begin <= block.end && block.end <= lines.size(), "a block stands in its page");
-    const auto as_it_is = [](const Block&, const std::string& now) { return now; };
-    const std::string once = woven(page, "docs/x.md", as_it_is);
-    require(woven(once, "docs/x.md", as_it_is) == once, "a page that is woven stays as it is");
-    fenced(page);
+    const auto as_it_is = [](const weave::Block&, const std::string& now) { return now; };
+    const std::string once = weave::weave_page(page, "docs/x.md", as_it_is);
+    require(weave::weave_page(once, "docs/x.md", as_it_is) == once, "a page that is woven stays as it is");
+    weave::fence(page);
 }
 
 } // namespace
@@ -98,9 +98,9 @@ void run_weave(std::string_view bytes) {
     const auto [first, text] = first_line(bytes);
     refusal([&, &what = first, &read = text] {
         switch (what.empty() ? ' ' : what[0]) {
-        case 'r': return void(region(read, what.substr(1), "x.h"));
-        case 'c': return void(find_commands(lines_of(read)));
-        case 'l': return void(dead_links(folder(), read, "docs/x.md"));
+        case 'r': return void(weave::region(read, what.substr(1), "x.h"));
+        case 'c': return void(weave::find_commands(lines_of(read)));
+        case 'l': return void(weave::dead_links(folder(), read, "docs/x.md"));
         case 'p': return check_page(read);
         }
     });

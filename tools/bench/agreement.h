@@ -77,18 +77,18 @@ inline Agreement compare(const Mesh& mesh, const std::vector<Ray>& rays, const s
     return agreement;
 }
 
-inline Fields fields(const Agreement& a) {
-    return {{"rays", number(a.rays)},
-            {"only_ours_hits", number(a.only_ours)},
-            {"only_embree_hits", number(a.only_embree)},
-            {"ours_nearer", number(a.ours_nearer)},
-            {"embree_nearer", number(a.embree_nearer)},
-            {"other_triangle_at_same_distance", number(a.other_triangle)},
-            {"judged_by_brute_force", number(a.judged)},
-            {"ours_right", number(a.ours_right)},
-            {"embree_right", number(a.embree_right)},
-            {"sampled_against_brute_force", number(a.sampled)},
-            {"ours_wrong_among_sampled", number(a.sampled_wrong)}};
+inline json::Fields fields(const Agreement& a) {
+    return {{"rays", json::number(a.rays)},
+            {"only_ours_hits", json::number(a.only_ours)},
+            {"only_embree_hits", json::number(a.only_embree)},
+            {"ours_nearer", json::number(a.ours_nearer)},
+            {"embree_nearer", json::number(a.embree_nearer)},
+            {"other_triangle_at_same_distance", json::number(a.other_triangle)},
+            {"judged_by_brute_force", json::number(a.judged)},
+            {"ours_right", json::number(a.ours_right)},
+            {"embree_right", json::number(a.embree_right)},
+            {"sampled_against_brute_force", json::number(a.sampled)},
+            {"ours_wrong_among_sampled", json::number(a.sampled_wrong)}};
 }
 
 } // namespace rt::bench

@@ -6,7 +6,7 @@
 #include "08_indirect/radiance.h"
 #include "08_indirect/program/room.h"
 #include "08_indirect/scene.h"
-#include "common/util/complain.h"
+#include "common/util/report_error.h"
 #include "common/util/file_bytes.h"
 #include "common/render/render.h"
 #include "tools/bench/convergence.h"
@@ -75,7 +75,7 @@ Image shoot(const Subject& subject, const PathSettings& settings, SamplerKind ki
     picture.seed = seed;
     picture.threads = threads;
     return render(picture,
-                  [&](const Sample& sample) {
+                  [&](const PixelSample& sample) {
                       Sampler sampler(kind, sample);
                       const vec2 point = film_point(sample, sampler, Filter::gaussian, 1);
                       return radiance(subject.scene, subject.lights, settings,
@@ -94,8 +94,8 @@ std::string_view bytes_of(const Image& image) {
 /// that it depends on: a coarse picture by the same code is part of the key.
 void find_truth(Subject& subject, int samples) {
     const Image coarse = shoot(subject, {}, SamplerKind::sobol, 4, 1, 0);
-    std::uint64_t key = scatter(std::uint64_t(samples));
-    for (const char byte : bytes_of(coarse)) key = scatter(key ^ std::uint8_t(byte));
+    std::uint64_t key = mix64(std::uint64_t(samples));
+    for (const char byte : bytes_of(coarse)) key = mix64(key ^ std::uint8_t(byte));
     char name[64];
     std::snprintf(name, sizeof name, "-%016llx.raw", static_cast<unsigned long long>(key));
     const std::string path = (std::filesystem::path(RT_OUT) / (subject.name + name)).string();
@@ -276,18 +276,18 @@ std::vector<std::string> json_of(const std::vector<Series>& all) {
     std::vector<std::string> rows;
     for (const Series& series : all)
         for (const Convergence& point : series.points)
-            rows.push_back(object({{"scene", json_text(series.scene)},
-                                   {"estimator", json_text(series.estimator)},
-                                   {"sampler", json_text(series.sampler)},
-                                   {"samples", number(std::int64_t(point.samples))},
-                                   {"seconds", number(point.seconds)},
-                                   {"rmse", number(point.rmse)},
-                                   {"relative_mse", number(point.relative)}}));
+            rows.push_back(json::object({{"scene", json::text(series.scene)},
+                                         {"estimator", json::text(series.estimator)},
+                                         {"sampler", json::text(series.sampler)},
+                                         {"samples", json::number(std::int64_t(point.samples))},
+                                         {"seconds", json::number(point.seconds)},
+                                         {"rmse", json::number(point.rmse)},
+                                         {"relative_mse", json::number(point.relative)}}));
     return rows;
 }
 
 void run(const Wish& wish) {
-    write_text(wish.json, "{}"); // better now than after the work
+    json::write(wish.json, "{}"); // better now than after the work
     std::vector<std::string> rows;
     for (const std::string& name : wish.scenes) {
         const std::vector<Series> all = measure(make_subject(name, wish), wish);
@@ -302,7 +302,7 @@ void run(const Wish& wish) {
         }
         for (std::string& row : json_of(all)) rows.push_back(std::move(row));
     }
-    write_text(wish.json, object({{"convergence", array(rows)}}));
+    json::write(wish.json, json::object({{"convergence", json::array(rows)}}));
 }
 
 void declare(CLI::App& app, Wish& wish) {
@@ -347,6 +347,6 @@ int main(int argc, char** argv) {
     } catch (const CLI::CallForHelp& help) {
         return app.exit(help);
     } catch (const std::exception& problem) {
-        return rt::complain("bench_convergence", problem.what());
+        return rt::report_error("bench_convergence", problem.what());
     }
 }

@@ -108,7 +108,7 @@ class Reader {
         return out;
     }
 
-    /// The character of the escape that begins here. \u stands for ASCII alone: json_text writes no other.
+    /// The character of the escape that begins here. \u stands for ASCII alone: json::text writes no other.
     char escaped() {
         constexpr std::string_view letters = "bfnrt", characters = "\b\f\n\r\t";
         const char kind = text[place + 1];

@@ -5,7 +5,7 @@
 #include "05_mesh_bvh/triangle.h"
 #include "06_textures/texture.h"
 #include "08_indirect/hemisphere.h"
-#include "common/util/complain.h"
+#include "common/util/report_error.h"
 #include "tools/compare/flip.h"
 #include "tools/bench/meshes.h"
 #include "tools/bench/ours.h"
@@ -119,7 +119,7 @@ void fresnel_term(benchmark::State& state) {
 }
 
 void texture(benchmark::State& state) {
-    const Texture picture = make_texture(read_bitmap(asset("globe.png")));
+    const Texture picture = make_texture(read_bitmap(asset_path("globe.png")));
     Random random(7);
     std::vector<vec2> uvs(inputs);
     for (vec2& uv : uvs) uv = random.uniform2();
@@ -151,7 +151,7 @@ void flip_pictures(benchmark::State& state) {
     Image a(1024, 768), b(1024, 768);
     for (Image* image : {&a, &b})
         for (vec3& pixel : image->pixels) pixel = {random.uniform(), random.uniform(), random.uniform()};
-    for (auto _ : state) benchmark::DoNotOptimize(flip(a, b).mean);
+    for (auto _ : state) benchmark::DoNotOptimize(rt::compare::flip(a, b).mean);
 }
 
 BENCHMARK(box)->Name("ray and box");
@@ -175,7 +175,7 @@ BENCHMARK(flip_pictures)->Name("FLIP, 1024 x 768")->Unit(benchmark::kMillisecond
 int main(int argc, char** argv) {
     benchmark::Initialize(&argc, argv);
     if (argc > 1) {
-        return rt::complain("bench_kernels", std::string(argv[1]) + " is not known; --help says what is");
+        return rt::report_error("bench_kernels", std::string(argv[1]) + " is not known; --help says what is");
     }
     benchmark::RunSpecifiedBenchmarks();
     benchmark::Shutdown();

@@ -177,8 +177,8 @@ inline Subject knot_field(const std::string& name, int triangles) {
 inline Subject animal(const std::string& name) {
     Subject subject;
     subject.name = name;
-    const ObjFile file = read_obj(asset(name + ".obj"));
-    append_model(subject.mesh, file, std::vector<int>(file.material_list.size(), 0), 40);
+    const ObjModel file = read_obj(asset_path(name + ".obj"));
+    append_model(subject.mesh, file, std::vector<int>(file.materials.size(), 0), 40);
     const Aabb box = bounds(subject.mesh);
     const vec3 center = centroid(box);
     const float r = length(box.max - box.min) / 2;

@@ -1,7 +1,7 @@
 // How fast read_obj is, against tinyobjloader alone: both read the same file of a million triangles, in
 // interleaved rounds, and then the files with and without normals become a mesh.
 #include "05_mesh_bvh/mesh.h"
-#include "common/util/complain.h"
+#include "common/util/report_error.h"
 #include "common/util/error.h"
 #include "common/util/file_bytes.h"
 #include "common/model/obj_file.h"
@@ -112,9 +112,9 @@ TinyResult read_by_tinyobj(const std::string& path) {
     return result;
 }
 
-Mesh mesh_of(const ObjFile& file) {
+Mesh mesh_of(const ObjModel& file) {
     Mesh mesh;
-    append_model(mesh, file, std::vector<int>(file.material_list.size(), 0), 40);
+    append_model(mesh, file, std::vector<int>(file.materials.size(), 0), 40);
     return mesh;
 }
 
@@ -160,7 +160,7 @@ std::string json(const Comparison& c) {
 void print_mesh_times(const char* what, const std::string& path, int rounds, int threads) {
     std::vector<Seconds> reading, appending;
     for (int round = 0; round < rounds; ++round) {
-        ObjFile file;
+        ObjModel file;
         reading.push_back(timed([&] { return file = read_obj(path, {.threads = threads}), 0; }));
         appending.push_back(timed([&] { return mesh_of(file); }));
     }
@@ -202,6 +202,6 @@ int main(int argc, char** argv) {
     try {
         rt::run(wish);
     } catch (const rt::Error& error) {
-        return rt::complain("bench_obj_loading", error.what());
+        return rt::report_error("bench_obj_loading", error.what());
     }
 }

@@ -1,6 +1,6 @@
 // What each step's reference picture costs: seconds and rays a second with all threads, and where one
 // thread's time goes, which a program built from the same main.cpp tells (watched.h).
-#include "common/util/complain.h"
+#include "common/util/report_error.h"
 #include "common/util/error.h"
 #include "common/util/json.h"
 #include "tools/bench/statistics.h"
@@ -92,16 +92,16 @@ std::string measure(const std::string& step, const Wish& wish) {
         step.c_str(), median(whole), median(seconds), mrays, 100 * shares[0], 100 * shares[1],
         100 * shares[2], 100 * shares[3]);
     std::fflush(stdout);
-    return object({{"step", json_text(step)},
-                   {"seconds", number(median(whole))},
-                   {"render_seconds", number(median(seconds))},
-                   {"rays", number(std::int64_t(rays))},
-                   {"mrays_per_second", number(mrays)},
-                   {"scene_share", number(shares[0])},
-                   {"build_share", number(shares[1])},
-                   {"traversal_share", number(shares[2])},
-                   {"shading_share", number(shares[3])},
-                   {"samples", number(std::int64_t(samples))}});
+    return json::object({{"step", json::text(step)},
+                         {"seconds", json::number(median(whole))},
+                         {"render_seconds", json::number(median(seconds))},
+                         {"rays", json::number(std::int64_t(rays))},
+                         {"mrays_per_second", json::number(mrays)},
+                         {"scene_share", json::number(shares[0])},
+                         {"build_share", json::number(shares[1])},
+                         {"traversal_share", json::number(shares[2])},
+                         {"shading_share", json::number(shares[3])},
+                         {"samples", json::number(std::int64_t(samples))}});
 }
 
 void run(Wish wish) {
@@ -110,10 +110,10 @@ void run(Wish wish) {
         for (std::string step; all >> step;) wish.steps.push_back(step);
     }
     if (wish.quick) wish.rounds = 1;
-    check_text(wish.json);
+    json::check_writable(wish.json);
     std::vector<std::string> renders;
     for (const std::string& step : wish.steps) renders.push_back(measure(step, wish));
-    write_text(wish.json, object({{"renders", array(renders)}}));
+    json::write(wish.json, json::object({{"renders", json::array(renders)}}));
 }
 
 } // namespace rt::bench
@@ -139,6 +139,6 @@ int main(int argc, char** argv) {
     } catch (const CLI::CallForHelp& help) {
         return app.exit(help);
     } catch (const std::exception& problem) {
-        return rt::complain("bench_renders", problem.what());
+        return rt::report_error("bench_renders", problem.what());
     }
 }

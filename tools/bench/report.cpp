@@ -1,6 +1,6 @@
 // bench_report FOLDER: turns the numbers of traversal.json, scaling.json, ... in a folder into report.md and
 // plots.
-#include "common/util/complain.h"
+#include "common/util/report_error.h"
 #include "common/util/error.h"
 #include "common/util/json.h"
 #include "tools/bench/json_reader.h"
@@ -65,7 +65,7 @@ std::string cell(const Json& value) {
     if (value.kind == Json::Kind::text) return value.text;
     if (value.kind == Json::Kind::boolean) return value.number != 0 ? "yes" : "no";
     if (value.kind != Json::Kind::number) return "-";
-    return number(value.number);
+    return json::number(value.number);
 }
 
 // ---- the folder ----
@@ -75,7 +75,7 @@ struct Report {
     std::string text;
 
     void plot(const std::string& name, const auto& what) {
-        write_text((folder / name).string(), svg(what));
+        json::write((folder / name).string(), svg(what));
         text += "![" + what.title + "](" + name + ")\n\n";
     }
 };
@@ -350,7 +350,7 @@ void run(const fs::path& folder) {
     if (const auto json = read(folder / "obj.json")) add_any(report, "obj", "Loading an OBJ file", *json);
     if (const auto json = read(folder / "kernels.json")) add_kernels(report, *json);
     while (report.text.ends_with('\n')) report.text.pop_back();
-    write_text((folder / "report.md").string(), report.text);
+    json::write((folder / "report.md").string(), report.text);
 }
 
 } // namespace rt::bench
@@ -368,6 +368,6 @@ int main(int argc, char** argv) {
     } catch (const CLI::CallForHelp& help) {
         return app.exit(help);
     } catch (const std::exception& problem) {
-        return rt::complain("bench_report", problem.what());
+        return rt::report_error("bench_report", problem.what());
     }
 }

@@ -2,7 +2,7 @@
 // the same rays, the same threads, round about. Also how long both builds take, and what they hold.
 #include "tools/bench/agreement.h"
 #include "tools/bench/embree.h"
-#include "common/util/complain.h"
+#include "common/util/report_error.h"
 #include "common/util/json.h"
 #include "tools/bench/memory.h"
 #include "tools/bench/meshes.h"
@@ -200,7 +200,7 @@ std::string shown(const char* pattern, double value) {
 
 void add_build(Report& report, const Subject& subject, int threads, const Build& build) {
     const auto triangles = double(subject.mesh.triangles.size());
-    const auto each = [&](double bytes) { return number(bytes / triangles); };
+    const auto each = [&](double bytes) { return json::number(bytes / triangles); };
     const auto mesh = double(mesh_bytes(subject.mesh));
     print("%-6s %9.0f  %-8s %d thread%s  ours %8.1f ms, Embree %s ms, ours/Embree %s   bytes a triangle: "
           "ours %.1f "
@@ -211,17 +211,17 @@ void add_build(Report& report, const Subject& subject, int threads, const Build&
           double(build.ours_bytes) / triangles, double(build.ours_peak) / triangles, mesh / triangles,
           shown("%.1f", build.embree_bytes / triangles).c_str(),
           shown("%.1f", build.embree_peak / triangles).c_str());
-    report.builds.push_back(object({{"mesh", json_text(subject.name)},
-                                    {"triangles", number(std::int64_t(triangles))},
-                                    {"threads", number(std::int64_t(threads))},
-                                    {"ours_seconds", number(build.ours_seconds)},
-                                    {"embree_seconds", number(build.embree_seconds)},
-                                    {"ratio", number(build.ours_seconds / build.embree_seconds)},
-                                    {"ours_bytes_per_triangle", each(double(build.ours_bytes))},
-                                    {"mesh_bytes_per_triangle", each(mesh)},
-                                    {"ours_peak_bytes_per_triangle", each(double(build.ours_peak))},
-                                    {"embree_bytes_per_triangle", each(build.embree_bytes)},
-                                    {"embree_peak_bytes_per_triangle", each(build.embree_peak)}}));
+    report.builds.push_back(json::object({{"mesh", json::text(subject.name)},
+                                          {"triangles", json::number(std::int64_t(triangles))},
+                                          {"threads", json::number(std::int64_t(threads))},
+                                          {"ours_seconds", json::number(build.ours_seconds)},
+                                          {"embree_seconds", json::number(build.embree_seconds)},
+                                          {"ratio", json::number(build.ours_seconds / build.embree_seconds)},
+                                          {"ours_bytes_per_triangle", each(double(build.ours_bytes))},
+                                          {"mesh_bytes_per_triangle", each(mesh)},
+                                          {"ours_peak_bytes_per_triangle", each(double(build.ours_peak))},
+                                          {"embree_bytes_per_triangle", each(build.embree_bytes)},
+                                          {"embree_peak_bytes_per_triangle", each(build.embree_peak)}}));
 }
 
 void add_case(Report& report, const Subject& subject, const std::string& rays, int threads,
@@ -241,18 +241,18 @@ void add_case(Report& report, const Subject& subject, const std::string& rays, i
               int(a.ours_right), int(a.embree_right));
     print("; brute force: %d of %d wrong\n", int(a.sampled_wrong), int(a.sampled));
     report.ratios.push_back(result.ratio);
-    const Fields head{{"mesh", json_text(subject.name)},
-                      {"triangles", number(triangles)},
-                      {"rays", json_text(rays)},
-                      {"threads", number(std::int64_t(threads))}};
-    Fields rates = head, checks{head[0], head[2], head[3]};
-    rates.push_back({"ours_mrays", number(result.ours_mrays)});
-    rates.push_back({"embree_mrays", number(result.embree_mrays)});
-    rates.push_back({"ratio", number(result.ratio)});
-    report.cases.push_back(object(rates));
+    const json::Fields head{{"mesh", json::text(subject.name)},
+                            {"triangles", json::number(triangles)},
+                            {"rays", json::text(rays)},
+                            {"threads", json::number(std::int64_t(threads))}};
+    json::Fields rates = head, checks{head[0], head[2], head[3]};
+    rates.push_back({"ours_mrays", json::number(result.ours_mrays)});
+    rates.push_back({"embree_mrays", json::number(result.embree_mrays)});
+    rates.push_back({"ratio", json::number(result.ratio)});
+    report.cases.push_back(json::object(rates));
     for (const auto& field : fields(a))
         checks.push_back({field.first == "rays" ? "count" : field.first, field.second});
-    report.checks.push_back(object(checks));
+    report.checks.push_back(json::object(checks));
 }
 
 void run_subject(const Subject& subject, const Wish& wish, Report& report) {
@@ -272,15 +272,15 @@ void run_subject(const Subject& subject, const Wish& wish, Report& report) {
 }
 
 void run(const Wish& wish) {
-    check_text(wish.json);
+    json::check_writable(wish.json);
     Report report;
     for (const std::string& name : wish.meshes) run_subject(make_subject(name), wish, report);
     const double mean = geometric_mean(report.ratios);
     if (std::isfinite(mean)) print("geometric mean of the ratios %.3f\n", mean);
-    write_text(wish.json, object({{"cases", array(report.cases)},
-                                  {"geometric_mean_ratio", number(mean)},
-                                  {"build", array(report.builds)},
-                                  {"checks", array(report.checks)}}));
+    json::write(wish.json, json::object({{"cases", json::array(report.cases)},
+                                         {"geometric_mean_ratio", json::number(mean)},
+                                         {"build", json::array(report.builds)},
+                                         {"checks", json::array(report.checks)}}));
 }
 
 void declare(CLI::App& app, Wish& wish) {
@@ -338,6 +338,6 @@ int main(int argc, char** argv) {
     } catch (const CLI::CallForHelp& help) {
         return app.exit(help);
     } catch (const std::exception& problem) {
-        return rt::complain("bench_traversal", problem.what());
+        return rt::report_error("bench_traversal", problem.what());
     }
 }

@@ -10,21 +10,21 @@
 #include <sstream>
 #include <vector>
 
-namespace rt {
+namespace rt::compare {
 namespace {
 
 /// What is done to the test picture to undo a slip.
-struct Slip {
+struct Hypothesis {
     std::string name;
     std::function<Image(const Image&)> undo;
-    bool moves_pixels = false; ///< a pixel's value stays as it is and stands elsewhere
+    bool permutes = false; ///< a pixel's value stays as it is and stands elsewhere
 };
 
 // ---- the slips
 
 /// The picture whose pixel (x, y) is the pixel from(x, y) of another.
 template <typename From>
-Slip moved(const std::string& name, From from) {
+Hypothesis permuted(const std::string& name, From from) {
     return {name,
             [from](const Image& image) {
                 Image result(image.width, image.height);
@@ -36,7 +36,7 @@ Slip moved(const std::string& name, From from) {
 }
 
 template <typename Change>
-Slip recoloured(const std::string& name, Change change) {
+Hypothesis colour_mapped(const std::string& name, Change change) {
     return {name, [change](const Image& image) {
                 Image result = image;
                 for (vec3& pixel : result.pixels) pixel = change(pixel);
@@ -44,47 +44,49 @@ Slip recoloured(const std::string& name, Change change) {
             }};
 }
 
-std::vector<Slip> moves(bool square) {
-    std::vector<Slip> slips{
-        moved("flipped left to right", [](const Image& i, int x, int y) { return i(i.width - 1 - x, y); }),
-        moved("flipped upside down", [](const Image& i, int x, int y) { return i(x, i.height - 1 - y); }),
-        moved("turned by half a turn (flipped in x and y)",
-              [](const Image& i, int x, int y) { return i(i.width - 1 - x, i.height - 1 - y); })};
+std::vector<Hypothesis> permutations(bool square) {
+    std::vector<Hypothesis> hypotheses{
+        permuted("flipped left to right", [](const Image& i, int x, int y) { return i(i.width - 1 - x, y); }),
+        permuted("flipped upside down", [](const Image& i, int x, int y) { return i(x, i.height - 1 - y); }),
+        permuted("turned by half a turn (flipped in x and y)",
+                 [](const Image& i, int x, int y) { return i(i.width - 1 - x, i.height - 1 - y); })};
     if (square)
-        slips.push_back(
-            moved("rows and columns swapped", [](const Image& i, int x, int y) { return i(y, x); }));
-    return slips;
+        hypotheses.push_back(
+            permuted("rows and columns swapped", [](const Image& i, int x, int y) { return i(y, x); }));
+    return hypotheses;
 }
 
 /// A file of codes c is read as decoded(c); what should have stood in it is encoded(linear).
-std::vector<Slip> recolourings() {
+std::vector<Hypothesis> colour_maps() {
     const auto power = [](float exponent) {
         return [exponent](vec3 c) { return pow(srgb_encoded(c), vec3(exponent)); };
     };
-    return {recoloured("red and blue swapped", [](vec3 c) { return vec3(c.z, c.y, c.x); }),
-            recoloured("the sRGB encoding is missing", srgb_encoded),
-            recoloured("the sRGB encoding is done twice", srgb_decoded),
-            recoloured("gamma 2.2 in place of sRGB", power(2.2f)),
-            recoloured("a square root in place of sRGB", power(2))};
+    return {colour_mapped("red and blue swapped", [](vec3 c) { return vec3(c.z, c.y, c.x); }),
+            colour_mapped("the sRGB encoding is missing", srgb_encoded),
+            colour_mapped("the sRGB encoding is done twice", srgb_decoded),
+            colour_mapped("gamma 2.2 in place of sRGB", power(2.2f)),
+            colour_mapped("a square root in place of sRGB", power(2))};
 }
 
-Slip gained(const std::string& name, float gain) {
-    return recoloured(name, [gain](vec3 c) { return c * gain; });
+Hypothesis scaled(const std::string& name, float gain) {
+    return colour_mapped(name, [gain](vec3 c) { return c * gain; });
 }
 
 // ---- agreement
 
-bool agrees_with(const Slip& slip, const Spans& test, const Spans& reference, Difference& left) {
-    left = gap({slip.undo(test.low), slip.undo(test.high)}, reference);
-    return verdict(left).same;
+bool agrees_with(const Hypothesis& hypothesis, const Intervals& test, const Intervals& reference,
+                 Difference& left) {
+    left = interval_distance({hypothesis.undo(test.low), hypothesis.undo(test.high)}, reference);
+    return conclude(left).same;
 }
 
 /// The variance once a slip is undone: the square of how much of a small change of a pixel's light is left.
-Image variance_after(const Slip& slip, const Image& test, const Image& undone, const Image& variance) {
-    if (slip.moves_pixels) return slip.undo(variance);
+Image variance_after(const Hypothesis& hypothesis, const Image& test, const Image& undone,
+                     const Image& variance) {
+    if (hypothesis.permutes) return hypothesis.undo(variance);
     Image brighter = test;
     for (vec3& pixel : brighter.pixels) pixel = pixel * 1.01f + 1e-4f;
-    const Image brighter_undone = slip.undo(brighter);
+    const Image brighter_undone = hypothesis.undo(brighter);
     Image result = variance;
     for (std::size_t i = 0; i < result.pixels.size(); ++i) {
         const float slope = luminance(brighter_undone.pixels[i] - undone.pixels[i]) /
@@ -95,36 +97,38 @@ Image variance_after(const Slip& slip, const Image& test, const Image& undone, c
 }
 
 struct Case {
-    const StoredImage& test;
-    const StoredImage& reference;
+    const EncodedImage& test;
+    const EncodedImage& reference;
     const Variances& variances;
-    Spans test_spans, reference_spans;
+    Intervals test_intervals, reference_intervals;
 
     /// How much is left of the difference when the slip is undone, if it is little enough.
-    std::optional<double> residue(const Slip& slip) const {
-        if (!variances.given()) {
+    std::optional<double> residue(const Hypothesis& hypothesis) const {
+        if (!variances.available()) {
             Difference left;
-            if (!agrees_with(slip, test_spans, reference_spans, left)) return {};
+            if (!agrees_with(hypothesis, test_intervals, reference_intervals, left)) return {};
             return double(left.differing) + left.mean;
         }
-        const Image undone = slip.undo(test.image);
-        const TileDifference left =
-            tile_difference(undone, reference.image, variance_after(slip, test.image, undone, variances.test),
-                            variances.reference);
-        if (!verdict(left).same) return {};
-        return double(left.alarms);
+        const Image undone = hypothesis.undo(test.image);
+        const TileDifference left = compare_tiles(
+            undone, reference.image, variance_after(hypothesis, test.image, undone, variances.test),
+            variances.reference);
+        if (!conclude(left).same) return {};
+        return double(left.outliers);
     }
 };
 
-const Slip as_it_is{"", [](const Image& image) { return image; }, true};
+const Hypothesis as_it_is{"", [](const Image& image) { return image; }, true};
 
 // ---- one gain
 
 /// A pixel says something about a gain if it is neither black nor cut off at white.
-bool informs(float test, float reference, Storage test_storage, Storage reference_storage) {
-    const auto cut = [](float light, Storage storage) { return storage == Storage::png && light > 0.99f; };
-    return test > 1e-3f && reference > 1e-3f && !cut(test, test_storage) &&
-           !cut(reference, reference_storage);
+bool informs(float test, float reference, Encoding test_encoding, Encoding reference_encoding) {
+    const auto cut = [](float light, Encoding encoding) {
+        return encoding == Encoding::png && light > 0.99f;
+    };
+    return test > 1e-3f && reference > 1e-3f && !cut(test, test_encoding) &&
+           !cut(reference, reference_encoding);
 }
 
 /// The median of reference / test; none if few pixels say anything.
@@ -135,7 +139,7 @@ std::optional<double> exact_gain(const Case& c) {
         const vec3 t = c.test.image.pixels[i], r = c.reference.image.pixels[i];
         const float test = std::max({t.x, t.y, t.z}), reference = std::max({r.x, r.y, r.z});
         if (test > 1e-3f || reference > 1e-3f) ++lit;
-        if (informs(test, reference, c.test.storage, c.reference.storage))
+        if (informs(test, reference, c.test.encoding, c.reference.encoding))
             ratios.push_back(luminance(r) / luminance(t));
     }
     if (ratios.empty() || ratios.size() < lit / 5) return {};
@@ -146,9 +150,9 @@ std::optional<double> exact_gain(const Case& c) {
 /// The gain with the least squares of z over the tiles.
 std::optional<double> noisy_gain(const Case& c) {
     const TileDifference tiles =
-        tile_difference(c.test.image, c.reference.image, c.variances.test, c.variances.reference);
+        compare_tiles(c.test.image, c.reference.image, c.variances.test, c.variances.reference);
     double both = 0, test = 0;
-    for (const TileMark& tile : tiles.marks) {
+    for (const TileScore& tile : tiles.scores) {
         const double change = tile.test - tile.reference;
         if (change == 0 || !std::isfinite(tile.z)) continue;
         const double weight = tile.z * tile.z / (change * change); // 1 / variance
@@ -181,17 +185,17 @@ bool varies(const Image& image) {
     return high - low > 0.05f * high;
 }
 
-std::vector<Slip> gains(const Case& c) {
-    const std::optional<double> gain = c.variances.given() ? noisy_gain(c) : exact_gain(c);
+std::vector<Hypothesis> gains(const Case& c) {
+    const std::optional<double> gain = c.variances.available() ? noisy_gain(c) : exact_gain(c);
     if (!gain || !std::isfinite(*gain) || *gain <= 0) return {};
     for (const NamedGain& named : named_gains) // the slip multiplied by the inverse of what undoes it
         if (std::abs(*gain * named.value - 1) <= limits.named_gain)
-            return {gained(std::string("all of it times ") + named.name, float(1 / named.value))};
-    if (!varies(c.reference.image) || std::abs(*gain - 1) < limits.least_gain) return {};
+            return {scaled(std::string("all of it times ") + named.name, float(1 / named.value))};
+    if (!varies(c.reference.image) || std::abs(*gain - 1) < limits.min_gain) return {};
     std::ostringstream name;
     name.precision(3);
     name << "all of it times " << 1 / *gain;
-    return {gained(name.str(), float(*gain))};
+    return {scaled(name.str(), float(*gain))};
 }
 
 // ---- half a pixel
@@ -243,10 +247,10 @@ double exact_shift_residue(const Image& test, const Image& reference, int dx, in
 /// was.
 double noisy_shift_residue(const Case& c, int dx, int dy) {
     const Variances& v = c.variances;
-    const TileDifference before = tile_difference(c.test.image, c.reference.image, v.test, v.reference);
-    const TileDifference after = tile_difference(half_shifted(c.test.image, dx, dy), c.reference.image,
-                                                 half_shifted(v.test, dx, dy), v.reference);
-    return before.alarms > 0 ? double(after.alarms) / before.alarms : 1;
+    const TileDifference before = compare_tiles(c.test.image, c.reference.image, v.test, v.reference);
+    const TileDifference after = compare_tiles(half_shifted(c.test.image, dx, dy), c.reference.image,
+                                               half_shifted(v.test, dx, dy), v.reference);
+    return before.outliers > 0 ? double(after.outliers) / before.outliers : 1;
 }
 
 /// "shifted half a pixel to the right and down", from the shift that undoes it: if a pixel and its right
@@ -263,11 +267,11 @@ constexpr std::array<std::array<int, 2>, 8> straight_then_diagonal{
 
 /// The shift that leaves least, or nothing if that is too much.
 std::string shift(const Case& c) {
-    const bool noisy = c.variances.given();
+    const bool noisy = c.variances.available();
     const Image test = noisy ? Image() : smoothed(c.test.image);
     const Image reference = noisy ? Image() : smoothed(c.reference.image);
     std::string best;
-    double least = noisy ? limits.shift_alarms : limits.shift_residue;
+    double least = noisy ? limits.max_shift_outliers : limits.max_shift_residue;
     for (const auto& [dx, dy] : straight_then_diagonal) {
         if (dx != 0 && dy != 0 && !best.empty() && best.find(" and ") == std::string::npos) break;
         const double left =
@@ -284,14 +288,14 @@ bool finite(const Image& image) {
 }
 
 /// The first of those that leave least.
-std::string best_of(const Case& c, const std::vector<Slip>& slips) {
+std::string best_of(const Case& c, const std::vector<Hypothesis>& hypotheses) {
     std::string best;
     double least = infinity;
-    for (const Slip& slip : slips) {
-        const std::optional<double> left = c.residue(slip);
+    for (const Hypothesis& hypothesis : hypotheses) {
+        const std::optional<double> left = c.residue(hypothesis);
         if (!left || *left >= least) continue;
         least = *left;
-        best = slip.name;
+        best = hypothesis.name;
     }
     return best;
 }
@@ -303,16 +307,17 @@ std::string explanations_tried() {
            "gamma 2.2 or a square root for it, one gain for all of it, half a pixel of shift";
 }
 
-std::string explain(const StoredImage& test, const StoredImage& reference, const Variances& variances) {
+std::string explain(const EncodedImage& test, const EncodedImage& reference, const Variances& variances) {
     check_same_size(test.image, reference.image);
     if (!finite(test.image) || !finite(reference.image)) return none_of_these;
-    const Case c{test, reference, variances, spans_of(test), spans_of(reference)};
+    const Case c{test, reference, variances, intervals_of(test), intervals_of(reference)};
     if (c.residue(as_it_is)) return "";
-    std::vector<Slip> slips = moves(test.image.width == test.image.height);
-    for (const auto& more : {recolourings(), gains(c)}) slips.insert(slips.end(), more.begin(), more.end());
-    if (const std::string best = best_of(c, slips); !best.empty()) return best;
+    std::vector<Hypothesis> hypotheses = permutations(test.image.width == test.image.height);
+    for (const auto& more : {colour_maps(), gains(c)})
+        hypotheses.insert(hypotheses.end(), more.begin(), more.end());
+    if (const std::string best = best_of(c, hypotheses); !best.empty()) return best;
     const std::string shifted = shift(c);
     return shifted.empty() ? none_of_these : shifted;
 }
 
-} // namespace rt
+} // namespace rt::compare

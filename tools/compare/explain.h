@@ -2,11 +2,11 @@
 // one with which the difference vanishes.
 #pragma once
 
-#include "tools/compare/stored.h"
+#include "tools/compare/encoded.h"
 
 #include <string>
 
-namespace rt {
+namespace rt::compare {
 
 inline constexpr const char* none_of_these = "none of these";
 
@@ -14,15 +14,15 @@ inline constexpr const char* none_of_these = "none of these";
 struct Variances {
     Image test, reference;
 
-    bool given() const { return !test.pixels.empty(); }
+    bool available() const { return !test.pixels.empty(); }
 };
 
 /// "flipped left to right", "red and blue swapped", ..., or none_of_these. Empty if there is nothing to
 /// explain: the pictures agree as they are, up to noise where variances are given. Throws Error if the sizes
 /// differ.
-std::string explain(const StoredImage& test, const StoredImage& reference, const Variances& variances);
+std::string explain(const EncodedImage& test, const EncodedImage& reference, const Variances& variances);
 
 /// All that is tried, in words, for a message that names it.
 std::string explanations_tried();
 
-} // namespace rt
+} // namespace rt::compare

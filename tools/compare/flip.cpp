@@ -1,12 +1,12 @@
 // LDR-FLIP: a picture is blurred as the eye blurs it, colours are compared, and edges that differ count more.
 #include "tools/compare/flip.h"
 
-#include "tools/compare/compare.h"
+#include "tools/compare/difference.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace rt {
+namespace rt::compare {
 namespace {
 
 const vec3 white(0.950428545f, 1, 1.088900371f); // D65 in XYZ
@@ -205,9 +205,9 @@ Features features(Plane light, double pixels_per_degree) {
 
 } // namespace
 
-Flip flip(const Image& reference, const Image& test, double pixels_per_degree) {
+FlipMap flip(const Image& reference, const Image& test, double pixels_per_degree) {
     check_same_size(reference, test);
-    Flip result{reference.width, reference.height, std::vector<float>(reference.pixels.size()), 0, 0};
+    FlipMap result{reference.width, reference.height, std::vector<float>(reference.pixels.size()), 0, 0};
     if (reference.pixels.empty()) return result;
     const std::vector<Plane> a = planes_of(reference), b = planes_of(test);
     const std::vector<vec3> seen_a = seen(a, pixels_per_degree), seen_b = seen(b, pixels_per_degree);
@@ -226,4 +226,4 @@ Flip flip(const Image& reference, const Image& test, double pixels_per_degree) {
     return result;
 }
 
-} // namespace rt
+} // namespace rt::compare

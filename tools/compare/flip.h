@@ -6,12 +6,12 @@
 
 #include <vector>
 
-namespace rt {
+namespace rt::compare {
 
 /// A screen of .7 m and 3840 pixels, seen from .7 m: distance * pixels / width * pi / 180.
 inline constexpr double usual_pixels_per_degree = 0.7 * 3840 / 0.7 * 3.14159265358979323846 / 180;
 
-struct Flip {
+struct FlipMap {
     int width = 0, height = 0;
     std::vector<float> errors; ///< row by row from the top left
     double mean = 0;
@@ -20,6 +20,6 @@ struct Flip {
 
 /// Of linear light; what lies outside of [0, 1] is clamped. A pixel that is not finite in one of the two has
 /// the error 1. Throws Error if the sizes differ.
-Flip flip(const Image& reference, const Image& test, double pixels_per_degree = usual_pixels_per_degree);
+FlipMap flip(const Image& reference, const Image& test, double pixels_per_degree = usual_pixels_per_degree);
 
-} // namespace rt
+} // namespace rt::compare

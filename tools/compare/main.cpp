@@ -1,6 +1,6 @@
 // Is this the same picture? compare A B: exit 0 if it is, 1 if it is not, 2 if one cannot be read.
-#include "tools/compare/judge.h"
-#include "common/util/complain.h"
+#include "tools/compare/comparison.h"
+#include "common/util/report_error.h"
 #include "common/util/error.h"
 #include "common/util/file_bytes.h"
 #include "common/image/image_file.h"
@@ -44,24 +44,24 @@ void check_outputs(const Command& command) {
     if (!command.json.empty() && command.json != "-") rt::check_file_writable(command.json);
 }
 
-rt::Judgement answer(const Command& command) {
-    rt::Question question{rt::read_stored(command.test), rt::read_stored(command.reference)};
+rt::compare::Comparison answer(const Command& command) {
+    rt::compare::ComparisonInput input{rt::compare::read_encoded(command.test),
+                                       rt::compare::read_encoded(command.reference)};
     if (!command.test_variance.empty())
-        question.variances = {rt::read_image(command.test_variance),
-                              rt::read_image(command.reference_variance)};
-    if (!command.known.empty()) question.known = rt::read_known(command.known);
-    question.step = command.step;
-    return rt::judge(question);
+        input.variances = {rt::read_image(command.test_variance), rt::read_image(command.reference_variance)};
+    if (!command.known.empty()) input.catalogue = rt::compare::read_catalogue_images(command.known);
+    input.step = command.step;
+    return rt::compare::compare_images(input);
 }
 
-void report(const Command& command, const rt::Judgement& judgement) {
-    const std::string json = rt::to_json(judgement) + "\n";
-    if (!command.map.empty()) rt::write_image(command.map, rt::error_map(judgement));
+void report(const Command& command, const rt::compare::Comparison& comparison) {
+    const std::string json = rt::compare::to_json(comparison) + "\n";
+    if (!command.map.empty()) rt::write_image(command.map, rt::compare::error_map(comparison));
     if (!command.json.empty() && command.json != "-") rt::write_file(command.json, json);
     if (command.json == "-")
         std::cout << json;
     else
-        for (const std::string& line : judgement.lines) std::cout << rt::printable(line) << "\n";
+        for (const std::string& line : comparison.lines) std::cout << rt::printable(line) << "\n";
     if (!std::cout.flush()) throw rt::Error("stdout takes no more text (is the disk full?)");
 }
 
@@ -75,12 +75,12 @@ int main(int argc, char** argv) {
     try {
         app.parse(argc, argv);
         check_outputs(command);
-        const rt::Judgement judgement = answer(command);
-        report(command, judgement);
-        return rt::is_same(judgement.finding) ? 0 : 1;
+        const rt::compare::Comparison comparison = answer(command);
+        report(command, comparison);
+        return rt::compare::is_same(comparison.verdict) ? 0 : 1;
     } catch (const CLI::CallForHelp& help) {
         return app.exit(help);
     } catch (const std::exception& problem) {
-        return rt::complain("compare", problem.what());
+        return rt::report_error("compare", problem.what());
     }
 }

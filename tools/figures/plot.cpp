@@ -5,7 +5,7 @@
 //     y RMSE
 //     curve 0 solid random              a colour (0 to 5), solid or dashed, and a name for what follows:
 //     16 0.0421                         a point, x and y, both above 0
-#include "common/util/complain.h"
+#include "common/util/report_error.h"
 #include "common/util/error.h"
 #include "common/util/file_bytes.h"
 #include "tools/bench/svg.h"
@@ -84,7 +84,7 @@ int main(int argc, char** argv) {
         const std::string name = argv[1];
         rt::write_file(argv[2], rt::bench::svg(plot_from(name, rt::read_file(name, 1 << 20))));
     } catch (const std::exception& problem) {
-        return rt::complain("plot", problem.what());
+        return rt::report_error("plot", problem.what());
     }
     return 0;
 }

@@ -119,7 +119,7 @@ inline vec3 radiance(const TracedScene& scene, const Ray& ray, int bounces_left,
     return trace::below([&] { return radiance<TracedScene>(scene, ray, bounces_left, absorption); });
 }
 #else
-template <UniformSource Source>
+template <RandomSource Source>
 vec3 radiance(const TracedScene& scene, const AreaLights& lights, const PathSettings& settings,
               const Ray& ray, Source& source) {
     return trace::below([&] { return radiance<TracedScene, Source>(scene, lights, settings, ray, source); });

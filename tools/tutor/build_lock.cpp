@@ -1,7 +1,7 @@
 // flock on the open folder: no file to make or to leave behind.
 #include "tools/tutor/build_lock.h"
 
-#include "common/util/complain.h"
+#include "common/util/report_error.h"
 
 #include <cerrno>
 #include <chrono>

@@ -2,7 +2,7 @@
 // is next.
 #include "tools/tutor/check.h"
 
-#include "common/util/complain.h"
+#include "common/util/report_error.h"
 #include "common/util/error.h"
 #include "common/util/file_bytes.h"
 #include "tools/tutor/catalogue.h"

@@ -46,10 +46,10 @@ PictureFinding failed(std::string reason) {
 }
 
 /// What kind of difference, where, and why if that is known: FLIP has a line of its own in the report.
-std::vector<std::string> in_short(const Judgement& judgement) {
+std::vector<std::string> in_short(const compare::Comparison& judgement) {
     std::vector<std::string> lines = judgement.lines;
     lines.resize(std::min<std::size_t>(lines.size(), 2));
-    if (!judgement.explanation.empty() && judgement.explanation != none_of_these)
+    if (!judgement.explanation.empty() && judgement.explanation != compare::none_of_these)
         lines.push_back("explanation: " + judgement.explanation);
     return lines;
 }
@@ -85,22 +85,22 @@ PictureFinding judge_picture(const fs::path& root, const std::string& step, cons
     if (ended.code >= 128) return failed("the program crashed");
     if (ended.code != 0) return failed("the program says: " + read_file(said.string()));
 
-    Question question{read_stored((out / (step + ".hdr")).string()),
-                      read_stored((references / (step + ".hdr")).string())};
+    compare::ComparisonInput question{compare::read_encoded((out / (step + ".hdr")).string()),
+                                      compare::read_encoded((references / (step + ".hdr")).string())};
     question.step = std::atoi(step.c_str());
     if (fs::exists(variance))
         question.variances = {read_image((out / (step + ".variance.hdr")).string()),
                               read_image(variance.string())};
     PictureFinding finding;
-    finding.judgement = judge(question);
+    finding.judgement = compare::compare_images(question);
     finding.complete = !glimpse;
-    finding.verdict = name_of(finding.judgement->finding);
-    finding.holds = is_same(finding.judgement->finding);
+    finding.verdict = compare::name_of(finding.judgement->verdict);
+    finding.holds = compare::is_same(finding.judgement->verdict);
     finding.lines = in_short(*finding.judgement);
     finding.mine = out / (step + ".png");
     finding.reference = references / (step + ".png");
     finding.map = out / (step + ".map.png");
-    write_image(finding.map.string(), error_map(*finding.judgement));
+    write_image(finding.map.string(), compare::error_map(*finding.judgement));
     finding.settings =
         reference_fact(root, step, "width") + " x " + reference_fact(root, step, "height") + ", " +
         (reference_fact(root, step, "test flags").empty() ? "the program's own settings"
@@ -127,7 +127,7 @@ void fill(Report& report, const PictureFinding& finding) {
     if (!finding.judgement) return;
     report.flip_mean = finding.judgement->flip.mean;
     report.flip_max = finding.judgement->flip.max;
-    if (finding.judgement->tiles) report.tiles_over_4 = finding.judgement->tiles->alarms;
+    if (finding.judgement->tiles) report.tiles_over_4 = finding.judgement->tiles->outliers;
 }
 
 } // namespace rt

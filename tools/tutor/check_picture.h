@@ -1,7 +1,7 @@
 // The picture that a step's program makes with the learner's files, against the reference.
 #pragma once
 
-#include "tools/compare/judge.h"
+#include "tools/compare/comparison.h"
 #include "tools/tutor/report.h"
 
 #include <filesystem>
@@ -17,7 +17,7 @@ struct PictureFinding {
     std::string verdict;            ///< same, noise, look, different; or none, failed
     std::string reason;             ///< why there is none, or why it failed
     std::vector<std::string> lines; ///< for a person
-    std::optional<Judgement> judgement;
+    std::optional<compare::Comparison> judgement;
     std::filesystem::path mine, reference, map; ///< PNG files
     std::string settings;
 };

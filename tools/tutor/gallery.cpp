@@ -30,13 +30,15 @@ std::vector<std::string> gallery_flags(const fs::path& root, const std::string& 
     return {"--width", part("width"), "--height", part("height"), "--samples", "16"};
 }
 
-Nearest nearest_mistake(const fs::path& root, const std::string& step, const fs::path& picture) {
+compare::CatalogueMatch nearest_mistake(const fs::path& root, const std::string& step,
+                                        const fs::path& picture) {
     const fs::path right = gallery_picture(root, step, "right");
     std::error_code ignored;
     if (!fs::exists(right, ignored)) return {};
-    std::vector<KnownPicture> wrong = read_known(right.parent_path().string());
-    std::erase_if(wrong, [](const KnownPicture& known) { return known.name == "right"; });
-    return nearest_known(read_stored(picture.string()), read_stored(right.string()), {}, wrong);
+    std::vector<compare::CatalogueImage> wrong = compare::read_catalogue_images(right.parent_path().string());
+    std::erase_if(wrong, [](const compare::CatalogueImage& known) { return known.name == "right"; });
+    return compare::find_in_catalogue(compare::read_encoded(picture.string()),
+                                      compare::read_encoded(right.string()), {}, wrong);
 }
 
 } // namespace rt

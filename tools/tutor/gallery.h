@@ -2,7 +2,7 @@
 // exercises/NN_name/gallery/. ./learn prove --write renders it.
 #pragma once
 
-#include "tools/compare/known.h"
+#include "tools/compare/catalogue.h"
 
 #include <filesystem>
 #include <string>
@@ -22,7 +22,7 @@ std::string reference_fact(const std::filesystem::path& root, const std::string&
 std::vector<std::string> gallery_flags(const std::filesystem::path& root, const std::string& step);
 
 /// The ids of the mistakes whose picture this one is, rendered with those flags; none if it is like none of them.
-Nearest nearest_mistake(const std::filesystem::path& root, const std::string& step,
-                        const std::filesystem::path& picture);
+compare::CatalogueMatch nearest_mistake(const std::filesystem::path& root, const std::string& step,
+                                        const std::filesystem::path& picture);
 
 } // namespace rt

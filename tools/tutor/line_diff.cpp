@@ -1,7 +1,7 @@
 // The longest common subsequence by the usual table, and the changes gathered into hunks.
 #include "tools/tutor/line_diff.h"
 
-#include "common/util/complain.h"
+#include "common/util/report_error.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -4,7 +4,7 @@
 #include "tools/tutor/commands.h"
 #include "tools/tutor/watch.h"
 
-#include "common/util/complain.h"
+#include "common/util/report_error.h"
 
 #include <CLI/CLI.hpp>
 
@@ -162,11 +162,11 @@ int main(int argc, char** argv) {
         app.parse(argc, argv);
         return std::cout.flush()
                    ? words.code
-                   : rt::complain("learn",
-                                  "stdout takes no more text (is the disk full?); all else went well");
+                   : rt::report_error("learn",
+                                      "stdout takes no more text (is the disk full?); all else went well");
     } catch (const CLI::CallForHelp& help) {
         return app.exit(help);
     } catch (const std::exception& problem) {
-        return rt::complain("learn", problem.what());
+        return rt::report_error("learn", problem.what());
     }
 }

@@ -131,7 +131,7 @@ std::string compile_part(const Toolchain& tools, const Change& change, const std
     const fs::path object = scratch / "part.o", log = scratch / "compiler.log";
     auto command = compile_command(tools, scratch);
     for (const std::string& word :
-         {part_level, std::string("-include"), (tools.work / "common" / part_level / "prefix.h").string(),
+         {part_level, std::string("-include"), (tools.work / "common" / part_level / "pch.h").string(),
           std::string("-c"), (tools.root / "steps" / part).string(), std::string("-o"), object.string()})
         command.push_back(word);
     if (run_process(command, log).code != 0) return complaint_in(log);
@@ -150,7 +150,7 @@ std::string build_checks(const Toolchain& tools, const Change& change, const std
     const fs::path object = scratch / "checks.o", log = scratch / "compiler.log";
     auto compile = compile_command(tools, scratch);
     for (const std::string& word :
-         {level, std::string("-include"), (tools.work / "tests" / level / "prefix.h").string(),
+         {level, std::string("-include"), (tools.work / "tests" / level / "pch.h").string(),
           std::string("-c"), (tools.root / source).string(), std::string("-o"), object.string()})
         compile.push_back(word);
     if (run_process(compile, log).code != 0) return complaint_in(log);
@@ -190,8 +190,7 @@ Outcome run_source(const Toolchain& tools, const Change& change, const std::stri
 /// What most files include, compiled once.
 void parse_ahead(const Toolchain& tools, const std::string& header, const std::string& level) {
     const fs::path folder = tools.work / fs::path(header).parent_path() / level;
-    const fs::path prefix = folder / "prefix.h", made = folder / "prefix.h.gch",
-                   stamp = folder / "prefix.key";
+    const fs::path prefix = folder / "pch.h", made = folder / "pch.h.gch", stamp = folder / "prefix.key";
     Hash hash;
     std::set<std::string> seen;
     hash.add(tools.fixed);
@@ -253,8 +252,8 @@ std::string proof_key(const Toolchain& tools, const std::string& step) {
 
 void prepare(const Toolchain& tools, const std::string& step) {
     const BuildLock alone(tools.work);
-    parse_ahead(tools, "tests/prefix.h", optimisation(step));
-    parse_ahead(tools, "common/prefix.h", part_level);
+    parse_ahead(tools, "tests/pch.h", optimisation(step));
+    parse_ahead(tools, "common/pch.h", part_level);
 }
 
 Outcome run_checks(const Toolchain& tools, const Change& change) {
@@ -282,7 +281,7 @@ bool render_picture(const Toolchain& tools, const Change& change, const fs::path
         if (complaint.empty()) complaint = compile_part(tools, change, part, scratch.path, objects);
     auto command = compile_command(tools, scratch.path);
     for (const std::string& word :
-         {part_level, std::string("-include"), (tools.work / "common" / part_level / "prefix.h").string(),
+         {part_level, std::string("-include"), (tools.work / "common" / part_level / "pch.h").string(),
           (tools.root / source).string()})
         command.push_back(word);
     std::ranges::copy(objects, std::back_inserter(command));

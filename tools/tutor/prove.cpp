@@ -1,7 +1,7 @@
 // The proof that the checks check: every stub fails them, and every mistake of the catalogue fails them in a way that
 // names it. ./learn prove runs it.
-#include "tools/compare/judge.h"
-#include "common/util/complain.h"
+#include "tools/compare/comparison.h"
+#include "common/util/report_error.h"
 #include "common/util/cores.h"
 #include "common/util/error.h"
 #include "common/util/file_bytes.h"
@@ -151,7 +151,9 @@ void in_parallel(std::size_t count, int jobs, const std::function<void(std::size
 /// As everywhere, up to rounding.
 bool differ(const fs::path& right, const fs::path& wrong) {
     if (!fs::exists(right) || !fs::exists(wrong)) return true;
-    return !is_same(judge({read_stored(wrong.string()), read_stored(right.string())}).finding);
+    return !compare::is_same(compare::compare_images({compare::read_encoded(wrong.string()),
+                                                      compare::read_encoded(right.string())})
+                                 .verdict);
 }
 
 /// Every third assertion of a signature is lost: those that another learner's mistake would not have failed.
@@ -275,8 +277,8 @@ Count judge(const Toolchain& tools, StepProof& proof, bool write) {
     return count;
 }
 
-Fields json_fields(const Count& count) {
-    const auto whole = [](int value) { return number(std::int64_t(value)); };
+json::Fields json_fields(const Count& count) {
+    const auto whole = [](int value) { return json::number(std::int64_t(value)); };
     return {{"stubs", whole(count.stubs)},
             {"stubs_failing", whole(count.stubs_failing)},
             {"mistakes", whole(count.mistakes)},
@@ -289,11 +291,11 @@ Fields json_fields(const Count& count) {
 std::string json(const std::vector<Count>& counts, const Count& total) {
     std::vector<std::string> steps;
     for (const Count& count : counts) {
-        Fields fields = json_fields(count);
-        fields.insert(fields.begin(), {"step", json_text(count.step)});
-        steps.push_back(object(fields));
+        json::Fields fields = json_fields(count);
+        fields.insert(fields.begin(), {"step", json::text(count.step)});
+        steps.push_back(json::object(fields));
     }
-    return object({{"steps", array(steps)}, {"total", object(json_fields(total))}}) + "\n";
+    return json::object({{"steps", json::array(steps)}, {"total", json::object(json_fields(total))}}) + "\n";
 }
 
 void print_row(const Count& count) {
@@ -409,6 +411,6 @@ int main(int argc, char** argv) {
     } catch (const CLI::ParseError& said) {
         return app.exit(said) == 0 ? 0 : 2;
     } catch (const std::exception& problem) {
-        return rt::complain("prove", problem.what());
+        return rt::report_error("prove", problem.what());
     }
 }

@@ -1,7 +1,7 @@
 // Looks at the learner's files five times a second: that costs nothing, and works on every kind of disk.
 #include "tools/tutor/watch.h"
 
-#include "common/util/complain.h"
+#include "common/util/report_error.h"
 
 #include <cerrno>
 #include <chrono>

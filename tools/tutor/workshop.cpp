@@ -1,7 +1,7 @@
 // Finds the learner's files, and remembers in two small text files what was checked and which hints were shown.
 #include "tools/tutor/workshop.h"
 
-#include "common/util/complain.h"
+#include "common/util/report_error.h"
 #include "common/util/error.h"
 #include "common/util/file_bytes.h"
 #include "tools/tutor/hash.h"

@@ -9,7 +9,7 @@
 #include <cctype>
 #include <set>
 
-namespace rt {
+namespace rt::weave {
 
 namespace fs = std::filesystem;
 
@@ -114,4 +114,4 @@ std::vector<std::string> dead_links(const fs::path& root, const std::string& pag
     return dead;
 }
 
-} // namespace rt
+} // namespace rt::weave

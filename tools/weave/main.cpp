@@ -2,7 +2,7 @@
 // is not, 2 a page that cannot be read, written or understood.
 #include "tools/weave/weave.h"
 
-#include "common/util/complain.h"
+#include "common/util/report_error.h"
 #include "common/util/error.h"
 #include "common/util/file_bytes.h"
 #include "tools/tutor/exercises.h"
@@ -39,7 +39,7 @@ std::vector<std::string> pages_of(const Wishes& wishes) {
 /// What is said of a page, a line each.
 struct Report {
     bool all_is_true = true;
-    void complain(const std::string& line) {
+    void add(const std::string& line) {
         all_is_true = false;
         std::cout << rt::printable_lines(line) << std::endl;
     }
@@ -75,7 +75,7 @@ std::string output_of(const Wishes& wishes, const std::string& command) {
     return without_place(wishes.root, output);
 }
 
-bool is_run(const rt::Block& block) {
+bool is_run(const rt::weave::Block& block) {
     return block.kind == "output" || block.kind == "measured";
 }
 
@@ -83,10 +83,11 @@ bool is_run(const rt::Block& block) {
 void weave(const Wishes& wishes, const std::string& page) {
     const fs::path path = fs::path(wishes.root) / page;
     const std::string old = rt::read_file(path.string());
-    const std::string fresh = rt::woven(old, page, [&](const rt::Block& block, const std::string& now) {
-        if (!is_run(block)) return rt::made(wishes.root, block);
-        return now.empty() || wishes.outputs ? rt::fenced(output_of(wishes, block.what)) : now;
-    });
+    const std::string fresh =
+        rt::weave::weave_page(old, page, [&](const rt::weave::Block& block, const std::string& now) {
+            if (!is_run(block)) return rt::weave::block_text(wishes.root, block);
+            return now.empty() || wishes.outputs ? rt::weave::fence(output_of(wishes, block.what)) : now;
+        });
     if (fresh == old) return;
     rt::write_file(path.string(), fresh);
     std::cout << page << ": written\n";
@@ -95,25 +96,23 @@ void weave(const Wishes& wishes, const std::string& page) {
 /// Says what is stale in the page, and what it refers to that is not there.
 void check(const Wishes& wishes, const std::string& page, Report& report) {
     const std::string text = rt::read_file((fs::path(wishes.root) / page).string());
-    rt::woven(text, page, [&](const rt::Block& block, const std::string& now) {
+    rt::weave::weave_page(text, page, [&](const rt::weave::Block& block, const std::string& now) {
         const std::string where = page + ":" + std::to_string(block.begin) + ": ";
-        if (is_run(block) ? now.empty() : now != rt::made(wishes.root, block))
-            report.complain(where + block.kind + " " + block.what +
-                            " is stale: ./learn weave writes it anew");
+        if (is_run(block) ? now.empty() : now != rt::weave::block_text(wishes.root, block))
+            report.add(where + block.kind + " " + block.what + " is stale: ./learn weave writes it anew");
         return now;
     });
-    for (const std::string& line : rt::dead_links(wishes.root, text, page)) report.complain(line);
+    for (const std::string& line : rt::weave::dead_links(wishes.root, text, page)) report.add(line);
 }
 
 /// Holds the output that the page shows against what comes.
 void run_outputs(const Wishes& wishes, const std::string& page, const std::string& text, Report& report) {
-    rt::woven(text, page, [&](const rt::Block& block, const std::string& now) {
+    rt::weave::weave_page(text, page, [&](const rt::weave::Block& block, const std::string& now) {
         if (!is_run(block)) return now;
         std::cout << page << ":" << block.begin << ": " << block.what << std::endl;
-        const std::string fresh = rt::fenced(output_of(wishes, block.what));
+        const std::string fresh = rt::weave::fence(output_of(wishes, block.what));
         if (block.kind == "output" && fresh != now)
-            report.complain(page + ":" + std::to_string(block.begin) + ": the output is another now:\n" +
-                            fresh);
+            report.add(page + ":" + std::to_string(block.begin) + ": the output is another now:\n" + fresh);
         return now;
     });
 }
@@ -128,13 +127,13 @@ void run_commands(const Wishes& wishes, const std::string& page, Report& report)
         throw rt::Error(
             "workshop/ is there: what stands in it would change what the commands say; move it away");
     run_outputs(wishes, page, text, report);
-    for (const rt::Command& command : rt::find_commands(rt::lines_of(text), page)) {
+    for (const rt::weave::Command& command : rt::weave::find_commands(rt::lines_of(text), page)) {
         std::cout << page << ":" << command.number << ": " << command.line << std::endl;
         const rt::Ended ended = run_line(wishes, command.line, said);
         if (ended.code != command.code || ended.too_long)
-            report.complain(page + ":" + std::to_string(command.number) + ": ends with code " +
-                            std::to_string(ended.code) + ", not " + std::to_string(command.code) + ":\n" +
-                            rt::read_file(said.path.string()));
+            report.add(page + ":" + std::to_string(command.number) + ": ends with code " +
+                       std::to_string(ended.code) + ", not " + std::to_string(command.code) + ":\n" +
+                       rt::read_file(said.path.string()));
     }
     fs::remove_all(workshop, ignored);
 }
@@ -164,7 +163,7 @@ int run_all_commands(const Wishes& wishes) {
     std::map<std::string, std::string> keys = noted_keys(wishes);
     bool all_is_true = true;
     for (const std::string& page : pages_of(wishes)) {
-        const std::string key = rt::page_key(wishes.root, page);
+        const std::string key = rt::weave::page_key(wishes.root, page);
         if (wishes.changed && keys[page] == key) continue;
         Report report;
         run_commands(wishes, page, report);
@@ -219,6 +218,6 @@ int main(int argc, char** argv) {
     try {
         return answer(wishes);
     } catch (const std::exception& error) {
-        return rt::complain("weave", error.what());
+        return rt::report_error("weave", error.what());
     }
 }

@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace rt {
+namespace rt::weave {
 
 namespace {
 
@@ -167,4 +167,4 @@ std::string region(const std::string& text, const std::string& name, const std::
     return found[0].text;
 }
 
-} // namespace rt
+} // namespace rt::weave

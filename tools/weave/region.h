@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace rt {
+namespace rt::weave {
 
 /// The declaration of `name` at the top level of a source, with the comment over it: a function, a struct, an enum, an
 /// alias, a concept, a constant. Functions that share a name are told apart by how their parameters begin, as the source
@@ -11,4 +11,4 @@ namespace rt {
 /// `path`, if there is none or more than one.
 std::string region(const std::string& text, const std::string& name, const std::string& path);
 
-} // namespace rt
+} // namespace rt::weave

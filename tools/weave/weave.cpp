@@ -14,7 +14,7 @@
 #include <charconv>
 #include <sstream>
 
-namespace rt {
+namespace rt::weave {
 
 namespace fs = std::filesystem;
 
@@ -23,7 +23,7 @@ namespace {
 constexpr std::array kinds{"listing", "diff", "gallery", "output", "measured"};
 const std::string opens = "<!-- ", closes = " -->", end_marker = "<!-- end -->";
 
-[[noreturn]] void complain(const std::string& path, std::size_t line, const std::string& what) {
+[[noreturn]] void fail(const std::string& path, std::size_t line, const std::string& what) {
     throw Error(path + ":" + std::to_string(line + 1) + ": " + what);
 }
 
@@ -118,23 +118,23 @@ std::vector<Block> find_blocks(const std::vector<std::string>& lines, const std:
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const std::string& line = lines[i];
         if (line == end_marker) {
-            if (!open) complain(path, i, "an end without a marker before it");
+            if (!open) fail(path, i, "an end without a marker before it");
             blocks.back().end = i;
             open = false;
             continue;
         }
         const std::size_t colon = line.find(": ");
         if (!line.starts_with(opens) || !line.ends_with(closes) || colon == std::string::npos) continue;
-        if (colon + 2 + closes.size() > line.size()) complain(path, i, "a marker names what belongs there");
+        if (colon + 2 + closes.size() > line.size()) fail(path, i, "a marker names what belongs there");
         const std::string kind = line.substr(opens.size(), colon - opens.size());
         const std::string what = line.substr(colon + 2, line.size() - closes.size() - colon - 2);
-        if (open) complain(path, i, "a marker before the end of the one before");
+        if (open) fail(path, i, "a marker before the end of the one before");
         if (std::ranges::find(kinds, kind) == kinds.end())
-            complain(path, i, "\"" + kind + "\" is none of listing, diff, gallery, output, measured");
+            fail(path, i, "\"" + kind + "\" is none of listing, diff, gallery, output, measured");
         blocks.push_back({kind, what, i + 1, i + 1});
         open = true;
     }
-    if (open) complain(path, blocks.back().begin - 1, "this marker has no <!-- end -->");
+    if (open) fail(path, blocks.back().begin - 1, "this marker has no <!-- end -->");
     return blocks;
 }
 
@@ -154,7 +154,7 @@ std::vector<Command> find_commands(const std::vector<std::string>& lines, const 
             const auto [end, failure] =
                 std::from_chars(begin, lines[i].data() + lines[i].size(), command.code);
             if (failure != std::errc() || command.code < 0 || command.code > 255)
-                complain(path, i, "after \"# exit \" stands no exit code");
+                fail(path, i, "after \"# exit \" stands no exit code");
         }
         commands.push_back(command);
     }
@@ -179,19 +179,19 @@ std::string page_key(const fs::path& root, const std::string& page) {
     return hash.text();
 }
 
-std::string made(const fs::path& root, const Block& block) {
+std::string block_text(const fs::path& root, const Block& block) {
     if (block.kind == "listing") return listing(root, block.what);
     if (block.kind == "diff") return diff(root, block.what);
     if (block.kind == "gallery") return gallery(root, block.what);
     throw Error(block.kind + ": needs its command to be run");
 }
 
-std::string fenced(const std::string& output) {
+std::string fence(const std::string& output) {
     return "```text\n" + without_blank_ends(output) + (output.ends_with('\n') ? "" : "\n") + "```\n";
 }
 
-std::string woven(const std::string& page, const std::string& path,
-                  const std::function<std::string(const Block&, const std::string&)>& fill) {
+std::string weave_page(const std::string& page, const std::string& path,
+                       const std::function<std::string(const Block&, const std::string&)>& fill) {
     const std::vector<std::string> lines = lines_of(page);
     std::string result;
     std::size_t next = 0;
@@ -206,10 +206,10 @@ std::string woven(const std::string& page, const std::string& path,
         try {
             result += fill(block, now);
         } catch (const Error& error) {
-            complain(path, block.begin - 1, error.what());
+            fail(path, block.begin - 1, error.what());
         }
     }
     return result + copy(lines.size());
 }
 
-} // namespace rt
+} // namespace rt::weave

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace rt {
+namespace rt::weave {
 
 /// What stands between a marker and its end.
 struct Block {
@@ -35,18 +35,18 @@ std::vector<Command> find_commands(const std::vector<std::string>& lines, const 
 std::string page_key(const std::filesystem::path& root, const std::string& page);
 
 /// What shall stand in a block of a kind that needs no command to be run: fences and all. Throws Error.
-std::string made(const std::filesystem::path& root, const Block& block);
+std::string block_text(const std::filesystem::path& root, const Block& block);
 
 /// Output as it stands in a page.
-std::string fenced(const std::string& output);
+std::string fence(const std::string& output);
 
 /// The page with its blocks filled: fill answers a block's lines, given those that stand there.
-std::string woven(const std::string& page, const std::string& path,
-                  const std::function<std::string(const Block&, const std::string& now)>& fill);
+std::string weave_page(const std::string& page, const std::string& path,
+                       const std::function<std::string(const Block&, const std::string& now)>& fill);
 
 /// What a page refers to and is not there, a line each, as "path:line: what": links, pictures, headings, and `paths` in the
 /// project's folders.
 std::vector<std::string> dead_links(const std::filesystem::path& root, const std::string& page,
                                     const std::string& path);
 
-} // namespace rt
+} // namespace rt::weave

@@ -42,7 +42,7 @@ void check_beginning(const std::string& path) {
 
 class Chunks {
   public:
-    Chunks(const std::string& path_, const ObjReading& reading)
+    Chunks(const std::string& path_, const ObjReadOptions& reading)
         : path(path_), file(path), chunk_bytes(reading.chunk_bytes) {
         if (file.bytes_left() == 0) throw Error(path + ": is empty");
         check_beginning(path);
@@ -120,7 +120,7 @@ void Chunks::fill(std::string& text) {
 
 } // namespace
 
-std::deque<ParsedChunk> read_chunks(const std::string& path, const ObjReading& reading) {
+std::deque<ParsedChunk> read_chunks(const std::string& path, const ObjReadOptions& reading) {
     return Chunks(path, reading).read();
 }
 

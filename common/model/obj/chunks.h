@@ -12,6 +12,6 @@ namespace rt {
 
 /// All of the file, or all up to the first chunk with a fault, in the file's order. Throws Error for a file
 /// that cannot be read, is empty, or whose beginning is no text.
-std::deque<ParsedChunk> read_chunks(const std::string& path, const ObjReading& reading);
+std::deque<ParsedChunk> read_chunks(const std::string& path, const ObjReadOptions& reading);
 
 } // namespace rt

@@ -58,18 +58,18 @@ std::string unquoted(std::string_view name) {
 
 NamesOfLine names_of_line(std::string text) {
     // A space after a backslash belongs to the name; scan_chunk() has made '/' of every '\'.
-    const std::string escaped{'/', inner_space};
+    const std::string escaped{'/', name_space};
     for (std::size_t at = 0; (at = text.find(escaped, at)) != std::string::npos;) text.replace(at, 2, " ");
     NamesOfLine names{unquoted(text), {""}};
-    std::replace(names.whole.begin(), names.whole.end(), inner_space, ' ');
+    std::replace(names.whole.begin(), names.whole.end(), name_space, ' ');
     bool in_quotes = false;
     for (const char c : text) {
         if (c == '"')
             in_quotes = !in_quotes;
-        else if (c == inner_space && !in_quotes)
+        else if (c == name_space && !in_quotes)
             names.parts.emplace_back();
         else
-            names.parts.back() += c == inner_space ? ' ' : c;
+            names.parts.back() += c == name_space ? ' ' : c;
     }
     std::erase(names.parts, "");
     return names;

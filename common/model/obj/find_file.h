@@ -12,7 +12,7 @@ namespace rt {
 /// `name` without the quotes round it, if it has some.
 std::string unquoted(std::string_view name);
 
-/// The names of a mtllib line, where `inner_space` stands between words: first the whole as one name with
+/// The names of a mtllib line, where `name_space` stands between words: first the whole as one name with
 /// spaces in it, and apart from that each of several, where quotes hold words together.
 struct NamesOfLine {
     std::string whole;

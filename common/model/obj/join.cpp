@@ -13,7 +13,7 @@
 namespace rt {
 namespace {
 
-constexpr std::array<int ObjCorner::*, 3> index{&ObjCorner::position, &ObjCorner::uv, &ObjCorner::normal};
+constexpr std::array<int ObjIndex::*, 3> index{&ObjIndex::position, &ObjIndex::uv, &ObjIndex::normal};
 constexpr double smallest_size = 1e-15, largest_size = 1e16; // squares of squares of lengths fit a double
 
 /// How much stands before a chunk.
@@ -31,8 +31,8 @@ void add_skipped(SkippedLines& all, const SkippedLines& part, int lines_before) 
 
 /// Goes on with the chunk that follows. Throws Error for its first fault.
 void add_facts(const std::string& path, const ParsedChunk& chunk, const Before& before, ObjSummary& summary) {
-    const int positions = before.counts[Numbered::position];
-    for (const Backward& b : chunk.backward) {
+    const int positions = before.counts[IndexKind::position];
+    for (const RelativeIndex& b : chunk.relative_indices) {
         if (b.missing > positions)
             throw Error(at_line(path, before.lines + b.line,
                                 "a face names position " + b.number + ", but only " +
@@ -49,7 +49,7 @@ void add_facts(const std::string& path, const ParsedChunk& chunk, const Before& 
 
 /// An index that counts back beyond the file's beginning becomes one that is as far out of range.
 void make_absolute(ParsedChunk& chunk, const Before& before) {
-    for (const auto kind : {Numbered::position, Numbered::uv, Numbered::normal}) {
+    for (const auto kind : {IndexKind::position, IndexKind::uv, IndexKind::normal}) {
         for (const std::size_t i : chunk.relative[kind]) {
             int& number = chunk.corners[i].*index[kind];
             number += before.counts[kind];
@@ -62,8 +62,8 @@ void make_absolute(ParsedChunk& chunk, const Before& before) {
 void check_positions(const std::string& path, const std::deque<ParsedChunk>& chunks, std::size_t count) {
     int largest = 0, largest_line = 0, lines = 0;
     for (const ParsedChunk& chunk : chunks) {
-        if (chunk.largest[Numbered::position] > largest) {
-            largest = chunk.largest[Numbered::position];
+        if (chunk.largest[IndexKind::position] > largest) {
+            largest = chunk.largest[IndexKind::position];
             largest_line = lines + chunk.largest_position_line;
         }
         lines += chunk.lines;
@@ -75,13 +75,13 @@ void check_positions(const std::string& path, const std::deque<ParsedChunk>& chu
 }
 
 /// Puts `rows` behind `all` and gives their memory back.
-template <typename Row>
-void move_to_end(std::vector<Row>& all, std::vector<Row>& rows) {
+template <typename Element>
+void move_to_end(std::vector<Element>& all, std::vector<Element>& rows) {
     all.insert(all.end(), rows.begin(), rows.end());
-    std::vector<Row>().swap(rows);
+    std::vector<Element>().swap(rows);
 }
 
-void move_vertices(ParsedChunk& chunk, std::vector<dvec3>& positions, ObjFile& file) {
+void move_vertices(ParsedChunk& chunk, std::vector<dvec3>& positions, ObjModel& file) {
     if (!chunk.colors.empty()) {
         file.colors.resize(positions.size(), no_color);
         move_to_end(file.colors, chunk.colors);
@@ -92,7 +92,7 @@ void move_vertices(ParsedChunk& chunk, std::vector<dvec3>& positions, ObjFile& f
 }
 
 /// Corners keep no uv or normal that is not there.
-void drop_missing(ParsedChunk& chunk, Numbered::Kind kind, int count, int lines_before, Skipped& skipped) {
+void drop_missing(ParsedChunk& chunk, IndexKind::Kind kind, int count, int lines_before, Skipped& skipped) {
     if (chunk.largest[kind] <= count) return;
     std::size_t first = 0, dropped = 0;
     for (std::size_t i = 0; i < chunk.corners.size(); ++i) {
@@ -105,18 +105,18 @@ void drop_missing(ParsedChunk& chunk, Numbered::Kind kind, int count, int lines_
 }
 
 /// A row without a usable value is as good as none: no corner keeps its index, and it becomes `harmless`.
-template <typename Row, typename Usable>
-void drop_unusable(std::deque<ParsedChunk>& chunks, Numbered::Kind kind, std::vector<Row>& rows, Row harmless,
-                   const Usable& usable) {
+template <typename Element, typename Usable>
+void drop_unusable(std::deque<ParsedChunk>& chunks, IndexKind::Kind kind, std::vector<Element>& rows,
+                   Element harmless, const Usable& usable) {
     if (std::ranges::all_of(rows, usable)) return;
     for (ParsedChunk& chunk : chunks) {
-        for (ObjCorner& corner : chunk.corners) {
+        for (ObjIndex& corner : chunk.corners) {
             int& number = corner.*index[kind];
             if (number >= 0 && !usable(rows[std::size_t(number)])) number = -1;
         }
     }
     std::ranges::replace_if(
-        rows, [&](const Row& row) { return !usable(row); }, harmless);
+        rows, [&](const Element& row) { return !usable(row); }, harmless);
 }
 
 /// A direction that can be scaled to unit length in floats.
@@ -140,7 +140,7 @@ struct Extent {
 Extent extent_of(const std::deque<ParsedChunk>& chunks, const std::vector<dvec3>& positions) {
     Extent extent;
     for (const ParsedChunk& chunk : chunks)
-        for (const ObjCorner& corner : chunk.corners) extent.grow(positions[std::size_t(corner.position)]);
+        for (const ObjIndex& corner : chunk.corners) extent.grow(positions[std::size_t(corner.position)]);
     return extent;
 }
 
@@ -158,7 +158,7 @@ dvec3 origin_of(const Extent& extent) {
 int farthest_position(const std::deque<ParsedChunk>& chunks, const std::vector<dvec3>& positions,
                       const Extent& extent) {
     for (const ParsedChunk& chunk : chunks)
-        for (const ObjCorner& corner : chunk.corners) {
+        for (const ObjIndex& corner : chunk.corners) {
             const dvec3 p = abs(positions[std::size_t(corner.position)]);
             if (std::max({p.x, p.y, p.z}) == extent.farthest()) return corner.position + 1;
         }
@@ -178,7 +178,7 @@ void check_size(const std::string& path, const std::deque<ParsedChunk>& chunks,
 }
 
 /// What no face names need not fit a float.
-void move_to_origin(const std::vector<dvec3>& positions, ObjFile& file) {
+void move_to_origin(const std::vector<dvec3>& positions, ObjModel& file) {
     file.positions.reserve(positions.size());
     for (const dvec3& position : positions) {
         const vec3 moved(position - file.origin);
@@ -208,7 +208,7 @@ void finish_colors(const std::deque<ParsedChunk>& chunks, std::size_t count, std
 }
 
 /// Room for all chunks, so that nothing is copied twice.
-void reserve(const std::deque<ParsedChunk>& chunks, std::vector<dvec3>& positions, ObjFile& file) {
+void reserve(const std::deque<ParsedChunk>& chunks, std::vector<dvec3>& positions, ObjModel& file) {
     std::size_t all_positions = 0, all_uvs = 0, all_normals = 0;
     for (const ParsedChunk& chunk : chunks) {
         all_positions += chunk.positions.size();
@@ -221,7 +221,7 @@ void reserve(const std::deque<ParsedChunk>& chunks, std::vector<dvec3>& position
 }
 
 /// Moves the vertices of all chunks into `file`, and the positions, as they are stated, into what it returns.
-std::vector<dvec3> join(const std::string& path, std::deque<ParsedChunk>& chunks, ObjFile& file,
+std::vector<dvec3> join(const std::string& path, std::deque<ParsedChunk>& chunks, ObjModel& file,
                         ObjSummary& summary) {
     std::vector<dvec3> positions;
     reserve(chunks, positions, file);
@@ -235,9 +235,9 @@ std::vector<dvec3> join(const std::string& path, std::deque<ParsedChunk>& chunks
     }
     check_positions(path, chunks, positions.size());
     for (std::size_t i = 0; i < chunks.size(); ++i) {
-        drop_missing(chunks[i], Numbered::uv, int(file.uvs.size()), before[i].lines,
+        drop_missing(chunks[i], IndexKind::uv, int(file.uvs.size()), before[i].lines,
                      summary.skipped.uv_corners);
-        drop_missing(chunks[i], Numbered::normal, int(file.normals.size()), before[i].lines,
+        drop_missing(chunks[i], IndexKind::normal, int(file.normals.size()), before[i].lines,
                      summary.skipped.normal_corners);
     }
     return positions;
@@ -245,13 +245,13 @@ std::vector<dvec3> join(const std::string& path, std::deque<ParsedChunk>& chunks
 
 } // namespace
 
-ObjSummary join_chunks(const std::string& path, std::deque<ParsedChunk>& chunks, ObjFile& file) {
+ObjSummary join_chunks(const std::string& path, std::deque<ParsedChunk>& chunks, ObjModel& file) {
     ObjSummary summary;
     const std::vector<dvec3> positions = join(path, chunks, file, summary);
     if (summary.faces == 0)
         throw Error(path + ": has no faces (lines such as \"f 1 2 3\"); is it an OBJ file?");
-    drop_unusable(chunks, Numbered::normal, file.normals, vec3(0, 0, 1), is_direction);
-    drop_unusable(chunks, Numbered::uv, file.uvs, vec2(0), [](vec2 uv) { return std::isfinite(uv.x); });
+    drop_unusable(chunks, IndexKind::normal, file.normals, vec3(0, 0, 1), is_direction);
+    drop_unusable(chunks, IndexKind::uv, file.uvs, vec2(0), [](vec2 uv) { return std::isfinite(uv.x); });
     const Extent extent = extent_of(chunks, positions);
     check_size(path, chunks, positions, extent);
     file.origin = origin_of(extent);

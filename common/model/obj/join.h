@@ -23,6 +23,6 @@ struct ObjSummary {
 /// the chunks are then indices of `file`, in range; -1 also where the file gives no usable normal or uv.
 /// Throws Error for the first fault in the file's order, for a file without faces, and for a model of absurd
 /// size.
-ObjSummary join_chunks(const std::string& path, std::deque<ParsedChunk>& chunks, ObjFile& file);
+ObjSummary join_chunks(const std::string& path, std::deque<ParsedChunk>& chunks, ObjModel& file);
 
 } // namespace rt

@@ -1,7 +1,7 @@
 // The materials of an OBJ file: their libraries, their textures, and their numbers in our terms.
 #include "common/model/obj/material.h"
 
-#include "common/util/complain.h"
+#include "common/util/report_error.h"
 #include "common/util/error.h"
 #include "common/util/file_bytes.h"
 #include "common/model/obj/find_file.h"
@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string with_spaces(std::string name) {
-    std::replace(name.begin(), name.end(), inner_space, ' ');
+    std::replace(name.begin(), name.end(), name_space, ' ');
     return name;
 }
 
@@ -62,7 +62,7 @@ bool asks_for_refraction(int illum) {
 }
 
 vec3 diffuse_of(const tinyobj::material_t& source, const std::string& where) {
-    if (source.diffuse[0] != unstated) return clamped(source.diffuse, 1, where, "Kd");
+    if (source.diffuse[0] != unset) return clamped(source.diffuse, 1, where, "Kd");
     if (!source.diffuse_texname.empty()) return vec3(1.0f); // the texture alone is the colour
     const bool shines = source.emission[0] > 0 || source.emission[1] > 0 || source.emission[2] > 0;
     return shines ? vec3(0.0f) : ObjMaterial{}.diffuse;
@@ -176,7 +176,8 @@ int TextureLoader::mask_of_texture(int texture) {
     return texture_masks[texture] = add_mask(bitmaps[std::size_t(texture)]);
 }
 
-ObjMaterial converted(const tinyobj::material_t& source, const fs::path& mtl, TextureLoader& textures) {
+ObjMaterial convert_material(const tinyobj::material_t& source, const fs::path& mtl,
+                             TextureLoader& textures) {
     ObjMaterial material;
     material.name = with_spaces(source.name);
     const std::string where = mtl.string() + ": material " + in_quotes(material.name);

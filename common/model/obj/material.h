@@ -24,7 +24,7 @@ class MaterialLibraries : public tinyobj::MaterialReader {
   public:
     explicit MaterialLibraries(const std::string& obj_path_) : obj_path(obj_path_) {}
 
-    /// `names`: the rest of the mtllib line, with `inner_space` for spaces: one name with spaces, or
+    /// `names`: the rest of the mtllib line, with `name_space` for spaces: one name with spaces, or
     /// several. A file is read once, however often and by whatever names it is called.
     bool operator()(const std::string& names, std::vector<tinyobj::material_t>* materials,
                     std::map<std::string, int>* numbers, std::string* warnings, std::string* errors) override;
@@ -41,7 +41,7 @@ class MaterialLibraries : public tinyobj::MaterialReader {
     std::set<std::string> known;              ///< the files so far, each by its canonical path
 };
 
-/// Loads each texture and mask once, and no more of them than `most_texture_pixels`.
+/// Loads each texture and mask once, and no more of them than `max_texture_pixels`.
 class TextureLoader {
   public:
     explicit TextureLoader(const std::string& obj_path_) : obj_path(obj_path_) {}
@@ -72,18 +72,18 @@ class TextureLoader {
     int add_mask(const Bitmap& bitmap);
 
     std::filesystem::path obj_path;
-    std::int64_t pixels_left = most_texture_pixels;
+    std::int64_t pixels_left = max_texture_pixels;
     Known known_textures, known_masks;
     std::map<int, int> texture_masks; ///< from numbers in `bitmaps` to numbers in `masks`
 };
 
-/// The text of an .mtl file reduced to what we use, each number checked; unstated Kd as `unstated`. Warns
+/// The text of an .mtl file reduced to what we use, each number checked; unset Kd as `unset`. Warns
 /// of what it asks for and is not followed.
 std::string scan_mtl(const std::string& path, std::string text);
-inline constexpr float unstated = -1;
+inline constexpr float unset = -1;
 
 /// `source` in our terms; numbers out of range are clamped, with a warning.
-ObjMaterial converted(const tinyobj::material_t& source, const std::filesystem::path& mtl,
-                      TextureLoader& textures);
+ObjMaterial convert_material(const tinyobj::material_t& source, const std::filesystem::path& mtl,
+                             TextureLoader& textures);
 
 } // namespace rt

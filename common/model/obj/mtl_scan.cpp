@@ -218,8 +218,8 @@ std::string MtlScanner::new_material(const Words& words) {
     std::string name = unquoted(words.from(1));
     if (name.empty()) fail("newmtl names no material");
     material = name;
-    std::replace_if(name.begin(), name.end(), is_blank, inner_space);
-    const std::string value = " " + std::to_string(unstated);
+    std::replace_if(name.begin(), name.end(), is_blank, name_space);
+    const std::string value = " " + std::to_string(unset);
     return "newmtl " + name + "\nKd" + value + value + value + "\n";
 }
 

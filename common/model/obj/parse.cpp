@@ -50,7 +50,7 @@ class Parser {
     ParsedChunk run();
 
   private:
-    [[noreturn]] void fail(const std::string& message) const { throw Fault{line, message}; }
+    [[noreturn]] void fail(const std::string& message) const { throw ParseError{line, message}; }
     void read_lines();
     char* join_continued(char* begin, char* end);
     void read_line(char* begin, char* end);
@@ -63,9 +63,9 @@ class Parser {
     void read_face(char* at, char* end);
     char* read_plain_corner(char* at, const char* end);
     char* read_corner(char* at, char* end);
-    char* read_index(Numbered::Kind kind, char* at, char* end, int& index);
-    int index_of(Numbered::Kind kind, int number);
-    int index_back(Numbered::Kind kind, int number, std::string_view word);
+    char* read_index(IndexKind::Kind kind, char* at, char* end, int& index);
+    int index_of(IndexKind::Kind kind, int number);
+    int index_back(IndexKind::Kind kind, int number, std::string_view word);
     void read_name(char* at, char* end, bool library);
     void read_smoothing(char* at, char* end);
     void check_ignored(const char* begin, const char* keyword_end) const;
@@ -80,7 +80,7 @@ class Parser {
 ParsedChunk Parser::run() {
     try {
         read_lines();
-    } catch (Fault& fault) {
+    } catch (ParseError& fault) {
         chunk.fault = std::move(fault);
     }
     chunk.lines = line - 1;
@@ -239,16 +239,16 @@ int plain_index(char*& at) {
 /// Behind a corner in its usual spelling; null, and nothing noted, for any other word.
 char* Parser::read_plain_corner(char* at, const char* end) {
     std::array<int, 3> number{plain_index(at), 0, 0};
-    if (number[Numbered::position] == 0) return nullptr;
-    if (*at == '/' && at[1] != '/' && (number[Numbered::uv] = plain_index(++at)) == 0) return nullptr;
+    if (number[IndexKind::position] == 0) return nullptr;
+    if (*at == '/' && at[1] != '/' && (number[IndexKind::uv] = plain_index(++at)) == 0) return nullptr;
     if (*at == '/') {
-        at += at[1] == '/' && number[Numbered::uv] == 0 ? 2 : 1;
-        if ((number[Numbered::normal] = plain_index(at)) == 0) return nullptr;
+        at += at[1] == '/' && number[IndexKind::uv] == 0 ? 2 : 1;
+        if ((number[IndexKind::normal] = plain_index(at)) == 0) return nullptr;
     }
     if (at != end && !is_blank(*at)) return nullptr;
-    chunk.corners.push_back({index_of(Numbered::position, number[Numbered::position]),
-                             index_of(Numbered::uv, number[Numbered::uv]),
-                             index_of(Numbered::normal, number[Numbered::normal])});
+    chunk.corners.push_back({index_of(IndexKind::position, number[IndexKind::position]),
+                             index_of(IndexKind::uv, number[IndexKind::uv]),
+                             index_of(IndexKind::normal, number[IndexKind::normal])});
     return at;
 }
 
@@ -258,20 +258,20 @@ char* Parser::read_corner(char* at, char* end) {
     char* last = stop;
     while (last > at && last[-1] == '/') --last;
     char* const begin = at;
-    ObjCorner corner;
-    at = read_index(Numbered::position, at, last, corner.position);
+    ObjIndex corner;
+    at = read_index(IndexKind::position, at, last, corner.position);
     if (at < last && *at == '/' && at[1] != '/')
-        at = read_index(Numbered::uv, at + 1, last, corner.uv);
+        at = read_index(IndexKind::uv, at + 1, last, corner.uv);
     else if (at < last && *at == '/')
         ++at;
-    if (at < last && *at == '/') at = read_index(Numbered::normal, at + 1, last, corner.normal);
+    if (at < last && *at == '/') at = read_index(IndexKind::normal, at + 1, last, corner.normal);
     if (at != last)
         fail(in_quotes(view(begin, last)) + " is not a corner of the form v, v/vt, v//vn or v/vt/vn");
     chunk.corners.push_back(corner);
     return stop;
 }
 
-char* Parser::read_index(Numbered::Kind kind, char* at, char* end, int& index) {
+char* Parser::read_index(IndexKind::Kind kind, char* at, char* end, int& index) {
     char* const begin = at;
     const bool negative = at < end && *at == '-';
     if (negative || (at < end && *at == '+')) ++at;
@@ -280,31 +280,31 @@ char* Parser::read_index(Numbered::Kind kind, char* at, char* end, int& index) {
     for (; at < end && is_digit(*at); ++at) value = std::min<long long>(value * 10 + (*at - '0'), INT_MAX);
     if (at == digits)
         fail(in_quotes(view(begin, end)) + " is not a whole number where a face names a " + names[kind]);
-    if (value == 0 && kind == Numbered::position) fail("a face names position 0, but counting starts at 1");
+    if (value == 0 && kind == IndexKind::position) fail("a face names position 0, but counting starts at 1");
     if (value == 0)
-        (kind == Numbered::uv ? chunk.skipped.uv_corners : chunk.skipped.normal_corners).add(line);
+        (kind == IndexKind::uv ? chunk.skipped.uv_corners : chunk.skipped.normal_corners).add(line);
     const bool back = negative && value != 0;
     index = back ? index_back(kind, int(value), view(begin, at)) : index_of(kind, int(value));
     return at;
 }
 
 /// From a number of the text to an index: 0, which stands for none, becomes -1.
-int Parser::index_of(Numbered::Kind kind, int number) {
+int Parser::index_of(IndexKind::Kind kind, int number) {
     if (number > chunk.largest[kind]) {
         chunk.largest[kind] = number;
-        if (kind == Numbered::position) chunk.largest_position_line = line;
+        if (kind == IndexKind::position) chunk.largest_position_line = line;
     }
     return number - 1;
 }
 
 /// The index that is `number` before the end so far, without what stands in the chunks before this one.
-int Parser::index_back(Numbered::Kind kind, int number, std::string_view word) {
+int Parser::index_back(IndexKind::Kind kind, int number, std::string_view word) {
     const auto so_far = std::array{chunk.positions.size(), chunk.uvs.size(), chunk.normals.size()};
     const int count = int(so_far[kind]), missing = number - count;
     chunk.relative[kind].push_back(chunk.corners.size());
-    if (kind == Numbered::position && missing > 0 &&
-        (chunk.backward.empty() || missing > chunk.backward.back().missing))
-        chunk.backward.push_back({missing, count, line, std::string(word)});
+    if (kind == IndexKind::position && missing > 0 &&
+        (chunk.relative_indices.empty() || missing > chunk.relative_indices.back().missing))
+        chunk.relative_indices.push_back({missing, count, line, std::string(word)});
     return count - number;
 }
 
@@ -317,7 +317,7 @@ void Parser::read_name(char* at, char* end, bool library) {
         for (std::size_t i = 0; (i = name.find("\\ ", i)) != std::string::npos;) name.erase(i, 1);
         std::ranges::replace(name, '\\', '/');
     }
-    std::ranges::replace_if(name, is_blank, inner_space);
+    std::ranges::replace_if(name, is_blank, name_space);
     if (name.empty())
         (library ? chunk.skipped.libraries : chunk.skipped.materials).add(line);
     else if (library)

@@ -13,17 +13,17 @@
 namespace rt {
 
 /// What faces name by number.
-struct Numbered {
+struct IndexKind {
     enum Kind { position, uv, normal };
 };
 
-struct Fault {
+struct ParseError {
     int line; ///< in its chunk, from 1
     std::string message;
 };
 
 /// A negative position number that reaches back beyond the chunk that it stands in.
-struct Backward {
+struct RelativeIndex {
     int missing;        ///< at least this many positions must stand in earlier chunks
     int count;          ///< this many stand before it in its own
     int line;           ///< in its chunk, from 1
@@ -34,7 +34,7 @@ struct Backward {
 struct MaterialLine {
     std::size_t face; ///< the first face behind it, counted in the chunk
     bool is_library;
-    std::string name; ///< with `inner_space` for spaces; "" is the default material
+    std::string name; ///< with `name_space` for spaces; "" is the default material
 };
 
 /// An s line.
@@ -75,7 +75,7 @@ struct ParsedChunk {
     std::vector<vec3>
         colors; ///< sRGB as written, per position; `no_color` for none; short or empty at the end
     std::vector<vec3> painted;             ///< sRGB of #MRGB lines, in [0, 1]
-    std::vector<ObjCorner> corners;        ///< of all faces
+    std::vector<ObjIndex> corners;         ///< of all faces
     std::vector<std::uint32_t> face_sizes; ///< corners of each face
     std::array<std::vector<std::size_t>, 3> relative;
     std::vector<FaceLines> face_lines;
@@ -84,11 +84,11 @@ struct ParsedChunk {
     std::map<std::string, int> materials; ///< each name after usemtl, and the line of its first use
     bool names_library = false;           ///< there is a mtllib line
     SkippedLines skipped;
-    std::array<int, 3> largest{};   ///< number of each kind that a face names
-    int largest_position_line = 0;  ///< of its first use
-    std::vector<Backward> backward; ///< in the text's order; each misses more than the one before it
+    std::array<int, 3> largest{};                ///< number of each kind that a face names
+    int largest_position_line = 0;               ///< of its first use
+    std::vector<RelativeIndex> relative_indices; ///< in the text's order; each misses more than the last
     int lines = 0;
-    std::optional<Fault> fault; ///< the text is read up to here
+    std::optional<ParseError> fault; ///< the text is read up to here
 };
 
 inline constexpr vec3 no_color{-1.0f};

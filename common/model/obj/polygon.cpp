@@ -240,7 +240,7 @@ std::vector<std::array<int, 3>> cut_quad(const std::vector<vec3>& corners, const
 
 } // namespace
 
-std::vector<std::array<int, 3>> cut_polygon(const std::vector<vec3>& corners) {
+std::vector<std::array<int, 3>> triangulate(const std::vector<vec3>& corners) {
     if (corners.size() == 3) return {{0, 1, 2}};
     const std::vector<dvec2> flat = flattened(corners);
     return corners.size() == 4 ? cut_quad(corners, flat) : clip_ears(flat);

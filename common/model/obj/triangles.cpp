@@ -15,7 +15,7 @@ constexpr float least_contradiction = 0.05f; // the cosine; smoothed normals of 
 
 /// Twice the area, along the normal. T is vec3 or dvec3.
 template <typename T>
-T area_vector(const ObjFile& file, const std::array<ObjCorner, 3>& triangle) {
+T area_vector(const ObjModel& file, const std::array<ObjIndex, 3>& triangle) {
     const T a(file.positions[std::size_t(triangle[0].position)]);
     return cross(T(file.positions[std::size_t(triangle[1].position)]) - a,
                  T(file.positions[std::size_t(triangle[2].position)]) - a);
@@ -23,7 +23,7 @@ T area_vector(const ObjFile& file, const std::array<ObjCorner, 3>& triangle) {
 
 /// Floats tell of most triangles that they have an area. Where their squares are too small or too large, a
 /// height of 2^-22 of the longer side is what rounding leaves.
-bool has_area(const ObjFile& file, const std::array<ObjCorner, 3>& triangle) {
+bool has_area(const ObjModel& file, const std::array<ObjIndex, 3>& triangle) {
     const vec3 area = area_vector<vec3>(file, triangle);
     const float square = dot(area, area);
     if (square > 0 && std::isfinite(square)) return true;
@@ -36,25 +36,24 @@ bool has_area(const ObjFile& file, const std::array<ObjCorner, 3>& triangle) {
 
 } // namespace
 
-void Triangles::add(const std::array<ObjCorner, 3>& triangle, const FaceTraits& traits) {
+void Triangles::add(const std::array<ObjIndex, 3>& triangle, const FaceTraits& traits) {
     if (!has_area(file, triangle)) {
         ++dropped;
         return;
     }
     file.triangles.push_back(triangle);
-    file.materials.push_back(traits.material);
+    file.triangle_materials.push_back(traits.material);
     if (with_smoothing) file.smoothing_groups.push_back(traits.smoothing);
 }
 
-void Triangles::add_face(std::span<const ObjCorner> corners, const FaceTraits& traits) {
+void Triangles::add_face(std::span<const ObjIndex> corners, const FaceTraits& traits) {
     const std::size_t begin = file.triangles.size();
     if (corners.size() == 3) {
         add({corners[0], corners[1], corners[2]}, traits);
     } else {
         std::vector<vec3> places;
-        for (const ObjCorner& corner : corners)
-            places.push_back(file.positions[std::size_t(corner.position)]);
-        for (const auto& [a, b, c] : cut_polygon(places))
+        for (const ObjIndex& corner : corners) places.push_back(file.positions[std::size_t(corner.position)]);
+        for (const auto& [a, b, c] : triangulate(places))
             add({corners[std::size_t(a)], corners[std::size_t(b)], corners[std::size_t(c)]}, traits);
     }
     if (!winds_against(corners, begin)) return;
@@ -65,9 +64,9 @@ void Triangles::add_face(std::span<const ObjCorner> corners, const FaceTraits& t
 }
 
 /// Judged for a face as a whole, so that its triangles stay on one side. `begin`: its first triangle.
-bool Triangles::winds_against(std::span<const ObjCorner> corners, std::size_t begin) const {
+bool Triangles::winds_against(std::span<const ObjIndex> corners, std::size_t begin) const {
     vec3 sum(0), area(0);
-    for (const ObjCorner& corner : corners) {
+    for (const ObjIndex& corner : corners) {
         if (corner.normal < 0) return false;
         sum += file.normals[std::size_t(corner.normal)];
     }
@@ -75,13 +74,13 @@ bool Triangles::winds_against(std::span<const ObjCorner> corners, std::size_t be
         area += area_vector<vec3>(file, file.triangles[i]);
     if (!(dot(area, sum) < 0)) return false;
     double lengths = 0;
-    for (const ObjCorner& corner : corners) lengths += length(file.normals[std::size_t(corner.normal)]);
+    for (const ObjIndex& corner : corners) lengths += length(file.normals[std::size_t(corner.normal)]);
     return dot(dvec3(area), dvec3(sum)) < -least_contradiction * lengths * length(dvec3(area));
 }
 
-TriangleKey Triangles::key(const ObjCorner& a, const ObjCorner& b, const ObjCorner& c) const {
+TriangleKey Triangles::key(const ObjIndex& a, const ObjIndex& b, const ObjIndex& c) const {
     TriangleKey key{};
-    for (std::size_t i = 0; const ObjCorner& corner : {a, b, c}) {
+    for (std::size_t i = 0; const ObjIndex& corner : {a, b, c}) {
         const vec3 p = file.positions[std::size_t(corner.position)];
         key[i++] = {p.x, p.y, p.z};
     }

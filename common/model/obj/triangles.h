@@ -12,7 +12,7 @@ namespace rt {
 /// What all triangles of a face share.
 struct FaceTraits {
     int material;
-    int smoothing; ///< as in ObjFile::smoothing_groups
+    int smoothing; ///< as in ObjModel::smoothing_groups
 };
 
 /// The positions of a triangle's corners, in their order around it, from the least on.
@@ -22,9 +22,9 @@ using TriangleKey = std::array<std::array<float, 3>, 3>;
 class Triangles {
   public:
     /// `file_` has its positions and normals. `with_smoothing`: it shall get smoothing groups.
-    Triangles(ObjFile& file_, bool with_smoothing_) : file(file_), with_smoothing(with_smoothing_) {}
+    Triangles(ObjModel& file_, bool with_smoothing_) : file(file_), with_smoothing(with_smoothing_) {}
 
-    void add_face(std::span<const ObjCorner> corners, const FaceTraits& traits);
+    void add_face(std::span<const ObjIndex> corners, const FaceTraits& traits);
     std::size_t without_area() const { return dropped; }
 
     /// Turns the faces that wind against their normals, as mirrored exports have them. Returns how many there
@@ -37,12 +37,12 @@ class Triangles {
         std::size_t begin, end; ///< its triangles
         bool is_back = false;
     };
-    void add(const std::array<ObjCorner, 3>& triangle, const FaceTraits& traits);
-    bool winds_against(std::span<const ObjCorner> corners, std::size_t begin) const;
-    TriangleKey key(const ObjCorner& a, const ObjCorner& b, const ObjCorner& c) const;
+    void add(const std::array<ObjIndex, 3>& triangle, const FaceTraits& traits);
+    bool winds_against(std::span<const ObjIndex> corners, std::size_t begin) const;
+    TriangleKey key(const ObjIndex& a, const ObjIndex& b, const ObjIndex& c) const;
     void find_backs();
 
-    ObjFile& file;
+    ObjModel& file;
     bool with_smoothing;
     std::size_t dropped = 0;
     std::vector<Against> against;

@@ -21,10 +21,10 @@ inline Choice<DebugView> view_option(Options& options) {
 class CameraOptions {
   public:
     CameraOptions(Options& all, const LookAt& initial)
-        : options(all), from(all.knob("from", initial.from, "where the camera stands, metres")),
-          at(all.knob("at", initial.at, "the point it looks at, metres")),
-          up(all.knob("up", initial.up, "the direction that is up in the picture")),
-          fov(all.knob("fov", initial.fov, 1.0f, 170.0f, "vertical field of view, degrees")) {}
+        : options(all), from(all.option("from", initial.from, "where the camera stands, metres")),
+          at(all.option("at", initial.at, "the point it looks at, metres")),
+          up(all.option("up", initial.up, "the direction that is up in the picture")),
+          fov(all.option("fov", initial.fov, 1.0f, 170.0f, "vertical field of view, degrees")) {}
 
     /// What the user asked for. Throws Error if no camera can stand like that.
     LookAt look_at() const { return validated({vec3(from), vec3(at), vec3(up), fov}); }
@@ -32,10 +32,10 @@ class CameraOptions {
     /// `defaults`, overridden by the options given on the command line.
     LookAt look_at_or(const LookAt& defaults) const {
         LookAt look_at = defaults;
-        if (options.given("from")) look_at.from = vec3(from - defaults.origin);
-        if (options.given("at")) look_at.at = vec3(at - defaults.origin);
-        if (options.given("up")) look_at.up = vec3(up);
-        if (options.given("fov")) look_at.fov = fov;
+        if (options.is_set("from")) look_at.from = vec3(from - defaults.origin);
+        if (options.is_set("at")) look_at.at = vec3(at - defaults.origin);
+        if (options.is_set("up")) look_at.up = vec3(up);
+        if (options.is_set("fov")) look_at.fov = fov;
         return validated(look_at);
     }
 

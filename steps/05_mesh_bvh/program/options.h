@@ -26,8 +26,9 @@ struct ModelOptions {
           model_only(options.flag(
               "bare", "with --mesh: the model alone, without floor and lamp, nor sky if it glows")),
           crease(
-              options.knob("crease", 40.0f, 0.0f, 180.0f,
-                           "edges sharper than this stay sharp where the file gives no normals, degrees")) {}
+              options.option("crease", 40.0f, 0.0f, 180.0f,
+                             "edges sharper than this stay sharp where the file gives no normals, degrees")) {
+    }
 
     const std::string& mesh; ///< empty: this step's own scene
     const bool& model_only;
@@ -38,12 +39,12 @@ struct ModelOptions {
 /// shows it. A bare model gets no floor and no lamp, and no sky either if it brings light of its own.
 template <typename Scene>
 LookAt add_framed_model(Scene& scene, const ModelOptions& options, float aspect) {
-    const ObjFile file = read_obj(options.mesh);
+    const ObjModel file = read_obj(options.mesh);
     add_model(scene, file, options.crease);
     Framing framing = frame_model(bounds(scene.mesh), aspect);
     framing.look_at.origin = scene.mesh.origin;
     const auto glows = [](const ObjMaterial& material) { return material.emission != vec3(0); };
-    if (!options.model_only || std::ranges::none_of(file.material_list, glows))
+    if (!options.model_only || std::ranges::none_of(file.materials, glows))
         scene.sky = {.nadir = {0.22f, 0.21f, 0.2f}, .zenith = {0.4f, 0.46f, 0.56f}};
     if (options.model_only) return framing.look_at;
     const int floor = add(scene.materials, Diffuse{vec3(0.55f, 0.53f, 0.5f)});

@@ -20,8 +20,8 @@ struct FilterOptions {
     explicit FilterOptions(Options& options)
         : filter(options.choice("filter", {"box", "tent", "gaussian"}, Filter::gaussian,
                                 "how a pixel weighs the light around its middle")),
-          width(options.knob("filter-width", 1.0f, 0.0f, 10.0f,
-                             "scales the filter: box 1 pixel wide, tent 2, Gaussian sigma 1/2")) {}
+          width(options.option("filter-width", 1.0f, 0.0f, 10.0f,
+                               "scales the filter: box 1 pixel wide, tent 2, Gaussian sigma 1/2")) {}
 
     Choice<Filter> filter;
     const float& width;
@@ -31,17 +31,17 @@ struct FilterOptions {
 struct LensOptions {
     explicit LensOptions(Options& all)
         : options(all),
-          aperture(all.knob("aperture", 0.0f, 0.0f, 1000.0f,
-                            "how wide the lens is, metres; 0 is a pinhole, with everything in focus")),
-          focus(all.knob("focus", 0.0f, 0.0f, 1e6f,
-                         "how far ahead the plane in focus is, metres; 0 for the distance to --at")) {}
+          aperture(all.option("aperture", 0.0f, 0.0f, 1000.0f,
+                              "how wide the lens is, metres; 0 is a pinhole, with everything in focus")),
+          focus(all.option("focus", 0.0f, 0.0f, 1e6f,
+                           "how far ahead the plane in focus is, metres; 0 for the distance to --at")) {}
 
     /// Of a camera that stands like that: `other`, but for the knobs that the user has turned. A focus of 0
     /// stands for the distance to what the camera looks at.
     ThinLens lens(const LookAt& look_at,
                   const ThinLens& other = {.aperture_diameter = 0, .focus_distance = 0}) const {
-        const float width = options.given("aperture") ? aperture : other.aperture_diameter;
-        const float ahead = options.given("focus") ? focus : other.focus_distance;
+        const float width = options.is_set("aperture") ? aperture : other.aperture_diameter;
+        const float ahead = options.is_set("focus") ? focus : other.focus_distance;
         return {width, ahead > 0 ? ahead : distance(look_at.from, look_at.at)};
     }
 

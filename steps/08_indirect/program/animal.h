@@ -31,7 +31,7 @@ inline LookAt animal(Scene& scene) {
                      {{0.62f, 0.13f, 0.4f}, 0.13f, add(scene.materials, Diffuse{{0.7f, 0.1f, 0.08f}})},
                      {{1.2f, 1.75f, -1.3f}, 0.14f, lamp}};
 
-    ObjFile cat = read_obj(asset("cat.obj"));
+    ObjModel cat = read_obj(asset_path("cat.obj"));
     transform(cat, 1.1f, -55, {0.1f, 0, -0.4f});
     add_model(scene, cat, 40);
     return {.from = {-0.25f, 0.95f, 2.85f}, .at = {0.05f, 0.62f, -0.4f}, .fov = 40};

@@ -25,7 +25,7 @@ inline LookAt room(Scene& scene) {
                    {{-0.5f, 1.998f, -0.45f}, {1, 0, 0}, {0, 0, 0.8f}, lamp}};
     scene.spheres = {{{0.52f, 0.4f, -0.42f}, 0.4f, mirror}, {{0.42f, 0.24f, 0.45f}, 0.24f, glass}};
 
-    ObjFile cow = read_obj(asset("cow.obj"));
+    ObjModel cow = read_obj(asset_path("cow.obj"));
     transform(cow, 0.85f, -40, {-0.38f, 0, -0.05f});
     add_model(scene, cow, 40);
     return {.from = {0, 1, 4.6f}, .at = {0, 0.98f, 0}, .fov = 31};

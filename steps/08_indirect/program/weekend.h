@@ -57,11 +57,11 @@ inline LookAt weekend(Scene& scene) {
 }
 
 /// Balls from a list.
-inline LookAt weekend(Scene& scene, const std::vector<ListedSphere>& list) {
-    for (const ListedSphere& ball : list) {
-        const Material material = ball.kind == ListedSphere::Kind::metal
+inline LookAt weekend(Scene& scene, const std::vector<SphereRecord>& list) {
+    for (const SphereRecord& ball : list) {
+        const Material material = ball.kind == SphereRecord::Kind::metal
                                       ? Material(Metal{ball.albedo, ball.fuzz})
-                                  : ball.kind == ListedSphere::Kind::glass ? Material(Dielectric{{ball.ior}})
+                                  : ball.kind == SphereRecord::Kind::glass ? Material(Dielectric{{ball.ior}})
                                                                            : Material(Diffuse{ball.albedo});
         scene.spheres.push_back({ball.center, ball.radius, add(scene.materials, material)});
     }

@@ -16,7 +16,7 @@ namespace {
 
 enum class View { light, normal, depth };
 
-/// A program with a knob of each kind.
+/// A program with an option of each kind.
 struct Program {
     rt::Options options;
     const float& ior;
@@ -28,9 +28,9 @@ struct Program {
 
     Program()
         : options("03_test", "What is asked here?", {}),
-          ior(options.knob("ior", 1.5f, 1.0f, 2.5f, "index of refraction")),
-          depth(options.knob("depth", 5, 1, 20, "most bounces of a path")),
-          from(options.knob("from", rt::vec3(0, 1.25f, -4), "where the camera stands, metres")),
+          ior(options.option("ior", 1.5f, 1.0f, 2.5f, "index of refraction")),
+          depth(options.option("depth", 5, 1, 20, "most bounces of a path")),
+          from(options.option("from", rt::vec3(0, 1.25f, -4), "where the camera stands, metres")),
           bare(options.flag("bare", "the model alone")), mesh(options.file("mesh", "an OBJ to render")),
           view(options.choice("view", {"light", "normal", "depth"}, View::normal, "what a ray shows")) {}
 
@@ -98,16 +98,17 @@ TEST_CASE("a bare command line gives the defaults") {
     CHECK_FALSE(program.bare);
     CHECK(program.mesh.empty());
     CHECK(View(program.view) == View::normal);
-    const rt::RenderSettings& picture = program.options.picture();
-    CHECK(picture.width == 640);
-    CHECK(picture.height == 400);
-    CHECK(picture.samples == 1);
-    CHECK(picture.threads == 0);
-    CHECK(picture.seed == 1);
-    CHECK((picture.crop.x0 == 0 && picture.crop.y0 == 0 && picture.crop.x1 == 640 && picture.crop.y1 == 400));
-    CHECK(picture.out == "03_test");
-    CHECK(picture.variance.empty());
-    CHECK_FALSE(picture.quiet);
+    const rt::RenderSettings& settings = program.options.settings();
+    CHECK(settings.width == 640);
+    CHECK(settings.height == 400);
+    CHECK(settings.samples == 1);
+    CHECK(settings.threads == 0);
+    CHECK(settings.seed == 1);
+    CHECK((settings.crop.x0 == 0 && settings.crop.y0 == 0 && settings.crop.x1 == 640 &&
+           settings.crop.y1 == 400));
+    CHECK(settings.out == "03_test");
+    CHECK(settings.variance.empty());
+    CHECK_FALSE(settings.quiet);
 }
 
 TEST_CASE("each flag sets what it names") {
@@ -146,17 +147,17 @@ TEST_CASE("each flag sets what it names") {
     CHECK(program.bare);
     CHECK(program.mesh == __FILE__);
     CHECK(View(program.view) == View::depth);
-    const rt::RenderSettings& picture = program.options.picture();
-    CHECK(picture.width == 300);
-    CHECK(picture.height == 200);
-    CHECK(picture.samples == 9);
-    CHECK(picture.threads == 3);
-    CHECK(picture.seed == 18446744073709551615u);
-    CHECK(
-        (picture.crop.x0 == 10 && picture.crop.y0 == 20 && picture.crop.x1 == 300 && picture.crop.y1 == 81));
-    CHECK(picture.out == "a b/c.png");
-    CHECK(picture.variance == "v.hdr");
-    CHECK(picture.quiet);
+    const rt::RenderSettings& settings = program.options.settings();
+    CHECK(settings.width == 300);
+    CHECK(settings.height == 200);
+    CHECK(settings.samples == 9);
+    CHECK(settings.threads == 3);
+    CHECK(settings.seed == 18446744073709551615u);
+    CHECK((settings.crop.x0 == 10 && settings.crop.y0 == 20 && settings.crop.x1 == 300 &&
+           settings.crop.y1 == 81));
+    CHECK(settings.out == "a b/c.png");
+    CHECK(settings.variance == "v.hdr");
+    CHECK(settings.quiet);
 }
 
 TEST_CASE("a value may be negative, and may follow an equals sign") {
@@ -181,22 +182,22 @@ TEST_CASE("the ends of a range are inside it") {
     CHECK(low.parse(
         {"--ior", "1", "--depth", "1", "--width", "1", "--height", "1", "--samples", "1", "--seed", "0"}));
     CHECK(low.ior == 1);
-    CHECK(low.options.picture().seed == 0);
+    CHECK(low.options.settings().seed == 0);
     CHECK(high.parse({"--ior", "2.5", "--depth", "20", "--width", "65536", "--height", "65536", "--crop",
                       "65535,65530,65536,65536", "--samples", "1048576", "--threads", "1024"}));
     CHECK(high.ior == 2.5f);
-    CHECK(high.options.picture().crop.x1 == 65536);
+    CHECK(high.options.settings().crop.x1 == 65536);
 }
 
-TEST_CASE("given tells what was typed from what was left alone") {
+TEST_CASE("is_set tells what was typed from what was left alone") {
     Program program;
     CHECK(program.parse({"--ior", "1.5", "--bare", "--width", "640"})); // the defaults, but typed
-    CHECK(program.options.given("ior"));
-    CHECK(program.options.given("bare"));
-    CHECK(program.options.given("width"));
-    CHECK_FALSE(program.options.given("depth"));
-    CHECK_FALSE(program.options.given("height"));
-    CHECK_THROWS_AS(program.options.given("no_such_knob"), std::logic_error);
+    CHECK(program.options.is_set("ior"));
+    CHECK(program.options.is_set("bare"));
+    CHECK(program.options.is_set("width"));
+    CHECK_FALSE(program.options.is_set("depth"));
+    CHECK_FALSE(program.options.is_set("height"));
+    CHECK_THROWS_AS(program.options.is_set("no_such_option"), std::logic_error);
 }
 
 TEST_CASE("a number out of its range is refused with the range") {
@@ -281,7 +282,7 @@ TEST_CASE("an unknown flag is refused, with the one that was probably meant") {
 
 TEST_CASE("a word without a flag is refused") {
     check_refused({
-        {{"picture.png"}, {"\"picture.png\" has no option before it"}},
+        {{"settings.png"}, {"\"settings.png\" has no option before it"}},
         {{"--bare", "yes"}, {"\"yes\" has no option before it"}},
         {{"--width", "4", "5"}, {"\"5\" has no option before it"}},
         {{"--", "5"}, {"\"--\" is not an option"}},
@@ -341,7 +342,7 @@ TEST_CASE("a picture that memory or the file formats cannot hold is refused") {
     CHECK(part.parse({"--width", "65536", "--height", "65536", "--crop", "65000,65000,65536,65536"}));
 }
 
-TEST_CASE("help opens with name and question, and explains every knob with range and default") {
+TEST_CASE("help opens with name and question, and explains every option with range and default") {
     const std::string help = help_text({"--help"});
     CHECK(help.rfind("03_test: What is asked here?\n", 0) == 0);
     std::string flat; // lines are wrapped: what is looked for may run over an end
@@ -370,10 +371,11 @@ TEST_CASE("help keeps within 80 columns, and asks for nothing else to be right")
     CHECK(help_text({"-h"}).size() > 500);
 }
 
-TEST_CASE("a knob declared wrongly is a mistake of the program, told at once") {
+TEST_CASE("an option declared wrongly is a mistake of the program, told at once") {
     Program program;
-    CHECK_THROWS_AS(program.options.knob("ior", 1.5f, 1.0f, 2.0f, "again"), std::logic_error);
-    CHECK_THROWS_AS(program.options.knob("width", 3, 1, 9, "a standard flag's name"), std::logic_error);
-    CHECK_THROWS_AS(program.options.knob("hot", 9.0f, 1.0f, 2.0f, "default out of range"), std::logic_error);
-    CHECK_THROWS_AS(program.options.knob("cold", 0, 1, 2, "default out of range"), std::logic_error);
+    CHECK_THROWS_AS(program.options.option("ior", 1.5f, 1.0f, 2.0f, "again"), std::logic_error);
+    CHECK_THROWS_AS(program.options.option("width", 3, 1, 9, "a standard flag's name"), std::logic_error);
+    CHECK_THROWS_AS(program.options.option("hot", 9.0f, 1.0f, 2.0f, "default out of range"),
+                    std::logic_error);
+    CHECK_THROWS_AS(program.options.option("cold", 0, 1, 2, "default out of range"), std::logic_error);
 }

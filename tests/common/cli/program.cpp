@@ -75,12 +75,12 @@ struct Run {
     std::string out, err;
 };
 
-rt::vec3 gradient(rt::Sample& sample) {
-    ++rt::tally.rays;
+rt::vec3 gradient(rt::PixelSample& sample) {
+    ++rt::ray_stats.rays;
     return {float(sample.x) / 8, float(sample.y) / 5, sample.random.uniform()};
 }
 
-Run run(const std::vector<std::string>& words, const std::function<void(const rt::RenderCall&)>& body) {
+Run run(const std::vector<std::string>& words, const std::function<void(const rt::RenderFunction&)>& body) {
     rt::RenderSettings small;
     small.width = 8;
     small.height = 5;
@@ -91,17 +91,18 @@ Run run(const std::vector<std::string>& words, const std::function<void(const rt
     for (const std::string& word : words) argv.push_back(word.c_str());
     Run result;
     const Captured out(std::cout), err(std::cerr);
-    result.code = rt::run_program(options, int(argv.size()), argv.data(), [&](const rt::RenderCall& render) {
-        result.body_called = true;
-        body(render);
-    });
+    result.code =
+        rt::run_program(options, int(argv.size()), argv.data(), [&](const rt::RenderFunction& render) {
+            result.body_called = true;
+            body(render);
+        });
     result.out = out.str();
     result.err = err.str();
     return result;
 }
 
 Run run(const std::vector<std::string>& words, const rt::SampleFunction& radiance = gradient) {
-    return run(words, [&radiance](const rt::RenderCall& render) { render(radiance); });
+    return run(words, [&radiance](const rt::RenderFunction& render) { render(radiance); });
 }
 
 std::string bytes_of(const std::string& path) {
@@ -189,10 +190,10 @@ TEST_CASE("a run with a crop says so and writes the part alone") {
 
 TEST_CASE("a run that counted box and triangle tests says how many a ray") {
     const Folder folder;
-    const Run result = run({"--out", folder / "p"}, rt::SampleFunction([](rt::Sample&) {
-                               rt::tally.rays += 2;
-                               rt::tally.box_tests += 47;
-                               rt::tally.triangle_tests += 9;
+    const Run result = run({"--out", folder / "p"}, rt::SampleFunction([](rt::PixelSample&) {
+                               rt::ray_stats.rays += 2;
+                               rt::ray_stats.box_tests += 47;
+                               rt::ray_stats.triangle_tests += 9;
                                return rt::vec3(0);
                            }));
     CHECK(contains(result.out, "\nbox tests a ray 23.5, triangle tests a ray 4.5\n"));
@@ -257,8 +258,9 @@ TEST_CASE("the variance goes to a file of its own, and needs two samples") {
     const Folder folder;
     const std::string out = folder / "p";
     const Run good =
-        run({"--out", out, "--variance", folder / "v.hdr"},
-            rt::SampleFunction([](rt::Sample& sample) { return rt::vec3(sample.index == 0 ? 1.0f : 3.0f); }));
+        run({"--out", out, "--variance", folder / "v.hdr"}, rt::SampleFunction([](rt::PixelSample& sample) {
+                return rt::vec3(sample.index == 0 ? 1.0f : 3.0f);
+            }));
     CHECK(good.code == 0);
     CHECK(contains(good.out, "wrote " + (folder / "v.hdr") + "\n"));
     const rt::Image variance = rt::read_image(folder / "v.hdr");
@@ -276,10 +278,11 @@ TEST_CASE("the variance goes to a file of its own, and needs two samples") {
 
 TEST_CASE("samples that are not finite are told of, in quiet runs too, and their pixels are magenta") {
     const Folder folder;
-    const Run result = run({"--quiet", "--out", folder / "p"}, rt::SampleFunction([](rt::Sample& sample) {
-                               const bool sick = sample.x == 3 && sample.y >= 2 && sample.index == 1;
-                               return rt::vec3(sick ? std::numeric_limits<float>::quiet_NaN() : 0.25f);
-                           }));
+    const Run result =
+        run({"--quiet", "--out", folder / "p"}, rt::SampleFunction([](rt::PixelSample& sample) {
+                const bool sick = sample.x == 3 && sample.y >= 2 && sample.index == 1;
+                return rt::vec3(sick ? std::numeric_limits<float>::quiet_NaN() : 0.25f);
+            }));
     CHECK(result.code == 0);
     CHECK(result.err == "00_test: warning: 3 samples are not finite, the first at pixel 3,2 sample 2: their "
                         "pixels are magenta\n");
@@ -292,10 +295,10 @@ TEST_CASE("an error while the scene is built or rendered leaves the old files as
     put(folder / "p.png", "old picture");
     const std::vector<std::string> words{"--out", folder / "p.png"};
     const auto failing = [&words](auto problem) {
-        return run(words, [problem](const rt::RenderCall&) { throw problem; });
+        return run(words, [problem](const rt::RenderFunction&) { throw problem; });
     };
     const auto late = [&words](auto problem) {
-        return run(words, rt::SampleFunction([problem](rt::Sample&) -> rt::vec3 { throw problem; }));
+        return run(words, rt::SampleFunction([problem](rt::PixelSample&) -> rt::vec3 { throw problem; }));
     };
     CHECK(failing(rt::Error("cow.obj:7: no such corner")).err == "00_test: cow.obj:7: no such corner\n");
     CHECK(failing(rt::Error("x")).code == 2);
@@ -309,10 +312,10 @@ TEST_CASE("an error while the scene is built or rendered leaves the old files as
 
 TEST_CASE("a body that never renders, or renders twice, is told so") {
     const Folder folder;
-    const Run never = run({"--out", folder / "p"}, [](const rt::RenderCall&) {});
+    const Run never = run({"--out", folder / "p"}, [](const rt::RenderFunction&) {});
     CHECK(never.code == 2);
     CHECK(contains(never.err, "never calls render"));
-    const Run twice = run({"--out", folder / "p"}, [](const rt::RenderCall& render) {
+    const Run twice = run({"--out", folder / "p"}, [](const rt::RenderFunction& render) {
         render(gradient);
         render(gradient);
     });
@@ -339,7 +342,7 @@ TEST_CASE("a report that nobody can take is an error, not a silence") {
     const Captured err(std::cerr);
     std::streambuf* const old = std::cout.rdbuf(&full);
     const int code = rt::run_program(options, int(argv.size()), argv.data(),
-                                     [](const rt::RenderCall& render) { render(gradient); });
+                                     [](const rt::RenderFunction& render) { render(gradient); });
     std::cout.rdbuf(old);
     std::cout.clear();
     CHECK(code == 2);
@@ -354,7 +357,7 @@ TEST_CASE("a program names the learner's headers that it is built with, and is s
         const std::string out = folder / "p";
         const std::vector<const char*> argv{"00_test", "--width", "2", "--height", "2", "--out", out.c_str()};
         const Captured said(std::cout);
-        const auto body = [](const rt::RenderCall& render) { render(gradient); };
+        const auto body = [](const rt::RenderFunction& render) { render(gradient); };
         CHECK(rt::run_program(options, int(argv.size()), argv.data(), body, own) == 0);
         CHECK(contains(said.str(), "using your " + own + "\n") == !own.empty());
         CHECK(contains(said.str(), "using your") == !own.empty());
@@ -391,7 +394,7 @@ class Variable {
 
 /// A run whose folder goes away while it renders.
 Run run_without_folder(const std::vector<std::string>& words, const fs::path& gone) {
-    return run(words, [&gone](const rt::RenderCall& render) {
+    return run(words, [&gone](const rt::RenderFunction& render) {
         render(gradient);
         fs::remove_all(gone);
     });
@@ -451,7 +454,7 @@ TEST_CASE("a program that is told to stop dies of that signal, and leaves the ol
         CAPTURE(number);
         const pid_t child = fork();
         if (child == 0) {
-            run({"--out", folder / "p.png"}, [number](const rt::RenderCall&) { std::raise(number); });
+            run({"--out", folder / "p.png"}, [number](const rt::RenderFunction&) { std::raise(number); });
             _exit(0);
         }
         int status = 0;
@@ -476,7 +479,7 @@ TEST_CASE("names of files are printed without what steers a terminal") {
 #if defined(SIGPIPE)
 TEST_CASE("a reader that leaves early does not cost the picture") {
     const Folder folder;
-    const Run result = run({"--out", folder / "p"}, [](const rt::RenderCall& render) {
+    const Run result = run({"--out", folder / "p"}, [](const rt::RenderFunction& render) {
         std::raise(SIGPIPE); // as `| head -1` does: by itself it would end this program
         render(gradient);
     });
@@ -490,7 +493,7 @@ TEST_CASE("what Ctrl-C did before the run, it does after it") {
     void (*const mine)(int) = [](int) {};
     void (*const before)(int) = std::signal(SIGINT, mine);
     bool replaced = false;
-    run({"--out", folder / "p"}, [&](const rt::RenderCall& render) {
+    run({"--out", folder / "p"}, [&](const rt::RenderFunction& render) {
         replaced = std::signal(SIGINT, SIG_IGN) != mine;
         render(gradient);
     });

@@ -168,8 +168,8 @@ TEST_CASE("an interlaced PNG, whose rows take more bytes than its size tells, is
 }
 
 TEST_CASE("a model's textures have a limit together, in plain words") {
-    CHECK(size_problem(10'000, 10'000, 100'000'000).empty());
-    CHECK_ERROR(size_problem(10'000, 10'000, 99'999'999), "10000 x 10000", "all textures", "2 GB");
+    CHECK(size_error(10'000, 10'000, 100'000'000).empty());
+    CHECK_ERROR(size_error(10'000, 10'000, 99'999'999), "10000 x 10000", "all textures", "2 GB");
     const Folder folder;
     const std::string path = folder.write("a.png", png(2, 2, 8, 0, std::string(6, '\0')));
     CHECK_ERROR(error_of([&] { read_bitmap(path, 3); }), "a.png", "all textures");
@@ -514,8 +514,8 @@ TEST_CASE("a picture without pixels or with too many is not written") {
     CHECK_ERROR(error_of([&] { write_image(folder / "a.png", Image()); }), "a.png", "no pixels");
     CHECK_ERROR(error_of([&] { write_image(folder / "a.hdr", Image(1 << 15, 1)); }), "a.hdr", "too large");
     CHECK(folder.files() == 0);
-    CHECK(size_problem(largest_side, int(most_pixels / largest_side)).empty());
-    CHECK(contains(size_problem(largest_side, int(most_pixels / largest_side) + 1), "too large"));
+    CHECK(size_error(max_dimension, int(max_pixels / max_dimension)).empty());
+    CHECK(contains(size_error(max_dimension, int(max_pixels / max_dimension) + 1), "too large"));
 }
 
 TEST_CASE("writing replaces the old file and leaves nothing else behind") {

@@ -22,11 +22,11 @@ namespace {
 
 const std::string four = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
-ObjFile read(const Folder& folder, const std::string& text) {
+ObjModel read(const Folder& folder, const std::string& text) {
     return read_obj(folder.write("a.obj", text));
 }
 
-ObjFile read(const std::string& text) {
+ObjModel read(const std::string& text) {
     const Folder folder;
     return read(folder, text);
 }
@@ -48,7 +48,7 @@ std::string warnings_of(const Folder& folder, const std::string& text) {
     return said.text();
 }
 
-vec3 area_vector(const std::vector<vec3>& positions, const std::array<ObjCorner, 3>& t) {
+vec3 area_vector(const std::vector<vec3>& positions, const std::array<ObjIndex, 3>& t) {
     const vec3 a = positions[std::size_t(t[0].position)], b = positions[std::size_t(t[1].position)],
                c = positions[std::size_t(t[2].position)];
     return cross(b - a, c - a) * 0.5f;
@@ -56,13 +56,13 @@ vec3 area_vector(const std::vector<vec3>& positions, const std::array<ObjCorner,
 
 /// The sum of the triangles' areas, negative for those that are turned the wrong way round as seen along
 /// `axis`.
-float area(const ObjFile& file, vec3 axis) {
+float area(const ObjModel& file, vec3 axis) {
     float sum = 0;
     for (const auto& triangle : file.triangles) sum += dot(area_vector(file.positions, triangle), axis);
     return sum;
 }
 
-float area(const ObjFile& file) {
+float area(const ObjModel& file) {
     float sum = 0;
     for (const auto& triangle : file.triangles) sum += length(area_vector(file.positions, triangle));
     return sum;
@@ -99,7 +99,7 @@ void check_area_is_kept(std::vector<vec2> corners) {
         std::rotate(corners.begin(), corners.begin() + 1, corners.end());
         for (const vec3 origin : origins) {
             for (int i = 0; i < 3; ++i) {
-                const ObjFile file = read(polygon_text(corners, origin, rights[i], ups[i]));
+                const ObjModel file = read(polygon_text(corners, origin, rights[i], ups[i]));
                 CHECK(area(file) == approx(std::abs(expected), 1e-4f)); // nothing twice, nothing outside
                 CHECK(area(file, cross(rights[i], ups[i])) ==
                       approx(expected, 1e-4f)); // and turned as it was
@@ -113,7 +113,7 @@ void check_area_is_kept(std::vector<vec2> corners) {
 // ---- what the format allows
 
 TEST_CASE("a triangle's corners name positions, texture coordinates and normals by number") {
-    const ObjFile file = read(four + "vt .1 .2\nvt .3 .4\nvn 0 0 2\nf 1/2/1 2/1/1 3/2/1\n");
+    const ObjModel file = read(four + "vt .1 .2\nvt .3 .4\nvn 0 0 2\nf 1/2/1 2/1/1 3/2/1\n");
     REQUIRE(file.triangles.size() == 1);
     CHECK(file.positions[2] == vec3(1, 1, 0));
     CHECK(file.uvs[1] == vec2(0.3f, 0.4f));
@@ -122,13 +122,13 @@ TEST_CASE("a triangle's corners name positions, texture coordinates and normals 
     CHECK(file.triangles[0][0].uv == 1);
     CHECK(file.triangles[0][0].normal == 0);
     CHECK(file.triangles[0][2].position == 2);
-    CHECK(file.materials == std::vector<int>{0});
-    REQUIRE(file.material_list.size() == 1);
-    CHECK(file.material_list[0].diffuse == vec3(0.6f));
+    CHECK(file.triangle_materials == std::vector<int>{0});
+    REQUIRE(file.materials.size() == 1);
+    CHECK(file.materials[0].diffuse == vec3(0.6f));
 }
 
 TEST_CASE("v, v/vt, v//vn and v/vt/vn may be mixed; what is absent is -1") {
-    const ObjFile file = read(four + "vt 0 0\nvn 0 0 1\nf 1 2/1 3//1\nf 1/ 3// 4/1/\n");
+    const ObjModel file = read(four + "vt 0 0\nvn 0 0 1\nf 1 2/1 3//1\nf 1/ 3// 4/1/\n");
     REQUIRE(file.triangles.size() == 2);
     const auto& t = file.triangles[0];
     CHECK((t[0].uv == -1 && t[0].normal == -1));
@@ -139,7 +139,7 @@ TEST_CASE("v, v/vt, v//vn and v/vt/vn may be mixed; what is absent is -1") {
 }
 
 TEST_CASE("negative numbers count back from the last one so far") {
-    const ObjFile file = read(four + "vt 0 0\nvt 1 0\nf -4/-1 -3/-2 -1/-1\nv 9 9 9\nf -5 -4 -2\n");
+    const ObjModel file = read(four + "vt 0 0\nvt 1 0\nf -4/-1 -3/-2 -1/-1\nv 9 9 9\nf -5 -4 -2\n");
     REQUIRE(file.triangles.size() == 2);
     for (const auto& t : file.triangles)
         CHECK((t[0].position == 0 && t[1].position == 1 && t[2].position == 3));
@@ -147,13 +147,13 @@ TEST_CASE("negative numbers count back from the last one so far") {
 }
 
 TEST_CASE("a face may come before its vertices, in polygons too") {
-    const ObjFile file = read("f 1 2 3\nf 1 2 3 4\n" + four);
+    const ObjModel file = read("f 1 2 3\nf 1 2 3 4\n" + four);
     CHECK(file.triangles.size() == 3);
     CHECK(area(file) == approx(1.5f));
 }
 
 TEST_CASE("comments, groups, objects, smoothing, lines, points and unknown words change nothing") {
-    const ObjFile file =
+    const ObjModel file =
         read("# v 9 9 9 \\\n\no thing\ng a b\ns 1\ns off\n" + four +
              "l 1 2 0 99\np 77\nvp 1\nvw x\nt 9/9/9\ncstype bezier\n\tf 1 2\t3 # 4\ng\n  f 1 3 4\n");
     CHECK(file.positions.size() == 4);
@@ -162,7 +162,7 @@ TEST_CASE("comments, groups, objects, smoothing, lines, points and unknown words
 }
 
 TEST_CASE("weights, colours and third texture coordinates are ignored, whatever they say") {
-    const ObjFile file = read(
+    const ObjModel file = read(
         "v 0 0 0 1\nv 1 0 0 .5 .5 nan\nv 0 1 0 1e999 # c\nvt 1\nvt 1 2 x\nvn 0 0 1 7\nf 1/1/1 2/2/1 3/2/1\n");
     CHECK(file.positions.size() == 3);
     CHECK(file.uvs[0] == vec2(1, 0));
@@ -170,8 +170,8 @@ TEST_CASE("weights, colours and third texture coordinates are ignored, whatever 
 }
 
 TEST_CASE("numbers in every spelling of the format") {
-    const ObjFile file = read("v +1 -.5 5.\nv 1e2 1.5E-3 -2e+1\nv 0007 1e-60 "
-                              ".0000000000000000000000000000000000000000000000000001\nf 1 2 3\n");
+    const ObjModel file = read("v +1 -.5 5.\nv 1e2 1.5E-3 -2e+1\nv 0007 1e-60 "
+                               ".0000000000000000000000000000000000000000000000000001\nf 1 2 3\n");
     CHECK(file.positions[0] == vec3(1, -0.5f, 5));
     CHECK(file.positions[1] == approx(vec3(100, 0.0015f, -20), 1e-6f));
     CHECK(file.positions[2] == vec3(7, 0, 0));
@@ -187,14 +187,14 @@ TEST_CASE("line ends of any system, a byte order mark, a missing last line end")
     const Stderr said;
     for (const std::string& text :
          {expected, windows, old_mac, "\xef\xbb\xbf" + expected, windows + "\r\n\x1a"}) {
-        const ObjFile file = read(text);
+        const ObjModel file = read(text);
         CHECK(file.positions.size() == 4);
         CHECK(file.triangles.size() == 3);
     }
 }
 
 TEST_CASE("a backslash joins lines, and the lines behind it keep their numbers") {
-    const ObjFile file = read("v 0 \\\n0 0\nv 1 0 \\ \n 0\r\nv 0 1 0\nf 1 \\\r\n 2 \\\n 3\n");
+    const ObjModel file = read("v 0 \\\n0 0\nv 1 0 \\ \n 0\r\nv 0 1 0\nf 1 \\\r\n 2 \\\n 3\n");
     CHECK(file.triangles.size() == 1);
     CHECK_ERROR(error_of_text(four + "f 1 \\\n 2 \\\n 3\nf 1 2 x\n"), "a.obj:8:");
     CHECK_ERROR(error_of_text(four + "f 1 \\\n 2 \\\n x\n"), "a.obj:5:");   // where it begins
@@ -217,7 +217,7 @@ TEST_CASE("polygons are cut without losing or gaining area, wherever they stand"
 }
 
 TEST_CASE("a quad is cut along its shorter diagonal") {
-    const ObjFile file = read("v 0 0 0\nv 3 0 0\nv 4 1 0\nv 1 1 0\nf 1 2 3 4\n");
+    const ObjModel file = read("v 0 0 0\nv 3 0 0\nv 4 1 0\nv 1 1 0\nf 1 2 3 4\n");
     REQUIRE(file.triangles.size() == 2);
     CHECK(file.triangles[0][0].position == 0);
     CHECK(file.triangles[0][1].position == 1);
@@ -227,12 +227,12 @@ TEST_CASE("a quad is cut along its shorter diagonal") {
 TEST_CASE("texture coordinates and materials follow a polygon's corners into its triangles") {
     const Folder folder;
     folder.write("m.mtl", "newmtl red\nKd 1 0 0\nnewmtl green\nKd 0 1 0\n");
-    const ObjFile file = read(folder, "mtllib m.mtl\n" + four +
-                                          "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nusemtl green\nf 1/1 2/2 3/3 4/4\n"
-                                          "usemtl red\nf 1/1 2/2 3/3\nusemtl green\nf 1/1 2/2 3/3\n");
-    CHECK(file.materials == std::vector<int>{1, 1, 0, 1});
+    const ObjModel file = read(folder, "mtllib m.mtl\n" + four +
+                                           "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nusemtl green\nf 1/1 2/2 3/3 4/4\n"
+                                           "usemtl red\nf 1/1 2/2 3/3\nusemtl green\nf 1/1 2/2 3/3\n");
+    CHECK(file.triangle_materials == std::vector<int>{1, 1, 0, 1});
     for (std::size_t i = 0; i < 2; ++i) {
-        for (const ObjCorner& corner : file.triangles[i]) CHECK(corner.uv == corner.position);
+        for (const ObjIndex& corner : file.triangles[i]) CHECK(corner.uv == corner.position);
     }
 }
 
@@ -245,7 +245,7 @@ TEST_CASE("triangles without area are left out, with a warning that counts them"
 }
 
 TEST_CASE("a normal without direction counts as missing") {
-    const ObjFile file = read(four + "vn 0 0 0\nvn 0 0 1\nvn 1e-30 0 0\nf 1//1 2//2 3//3\n");
+    const ObjModel file = read(four + "vn 0 0 0\nvn 0 0 1\nvn 1e-30 0 0\nf 1//1 2//2 3//3\n");
     CHECK(file.triangles[0][0].normal == -1);
     CHECK(file.triangles[0][1].normal == 1);
     CHECK(file.triangles[0][2].normal == -1);
@@ -327,7 +327,7 @@ TEST_CASE("100 MB of noise are refused at once, in one short line") {
 
 namespace {
 
-const ObjReading readings[] = {{1, 1}, {1, 17}, {2, 40}, {5, 100}, {3, 1}, {2, 1 << 20}};
+const ObjReadOptions readings[] = {{1, 1}, {1, 17}, {2, 40}, {5, 100}, {3, 1}, {2, 1 << 20}};
 
 /// Uses all that a chunk cannot know alone: numbers that reach back and ahead, joined lines, materials,
 /// libraries.
@@ -343,8 +343,8 @@ std::string text_of_many_chunks() {
     return text + "f 1 99 100";
 }
 
-bool same(const ObjFile& a, const ObjFile& b) {
-    const auto same_corner = [](const ObjCorner& c, const ObjCorner& d) {
+bool same(const ObjModel& a, const ObjModel& b) {
+    const auto same_corner = [](const ObjIndex& c, const ObjIndex& d) {
         return c.position == d.position && c.uv == d.uv && c.normal == d.normal;
     };
     const auto same_corners = [&](const auto& t, const auto& u) {
@@ -354,8 +354,9 @@ bool same(const ObjFile& a, const ObjFile& b) {
         return m.name == n.name && m.diffuse == n.diffuse;
     };
     return a.positions == b.positions && a.normals == b.normals && a.uvs == b.uvs &&
-           a.materials == b.materials && std::ranges::equal(a.triangles, b.triangles, same_corners) &&
-           std::ranges::equal(a.material_list, b.material_list, same_material);
+           a.triangle_materials == b.triangle_materials &&
+           std::ranges::equal(a.triangles, b.triangles, same_corners) &&
+           std::ranges::equal(a.materials, b.materials, same_material);
 }
 
 /// The error of a text must be the same however it is read; answers it.
@@ -363,7 +364,7 @@ std::string error_in_any_chunks(const std::string& text) {
     const Folder folder;
     const std::string path = folder.write("a.obj", text);
     const std::string whole = error_of([&] { read_obj(path); });
-    for (const ObjReading& reading : readings) {
+    for (const ObjReadOptions& reading : readings) {
         CAPTURE(reading.threads);
         CAPTURE(reading.chunk_bytes);
         CHECK(error_of([&] { read_obj(path, reading); }) == whole);
@@ -380,13 +381,13 @@ TEST_CASE(
     folder.write("n.mtl", "newmtl a2\nKd 0 0 1\n");
     const std::string path = folder.write("a.obj", text_of_many_chunks());
     const Stderr said;
-    const ObjFile whole = read_obj(path, {1, 1 << 20});
+    const ObjModel whole = read_obj(path, {1, 1 << 20});
     CHECK(whole.triangles.size() == 125);
     CHECK(whole.positions.size() == 100);
     CHECK(whole.triangles[1][0].position == 0); // -20 where 20 stand before it
-    CHECK(whole.material_list.size() == 4);     // the default too: a2 is named before its library is
+    CHECK(whole.materials.size() == 4);         // the default too: a2 is named before its library is
     CHECK_ERROR(said.text(), "1 of 43 faces wind against their normals");
-    for (const ObjReading& reading : readings) {
+    for (const ObjReadOptions& reading : readings) {
         CAPTURE(reading.threads);
         CAPTURE(reading.chunk_bytes);
         const Stderr again;
@@ -437,7 +438,7 @@ TEST_CASE("an .mtl file's colours, emission, reflectivity, index of refraction a
     for (const char* name : {"a", "b", "c", "d", "e", "f"})
         text += std::string("usemtl ") + name + "\nf 1 2 3\n";
     const Stderr said;
-    const std::vector<ObjMaterial> list = read(folder, text).material_list;
+    const std::vector<ObjMaterial> list = read(folder, text).materials;
     const std::string warnings = said.text();
     CHECK_ERROR(warnings, "is drawn opaque (material \"d\")");
     CHECK(std::count(warnings.begin(), warnings.end(), '\n') == 1);
@@ -465,10 +466,10 @@ TEST_CASE("only the materials that are used are listed, each once") {
     const Folder folder;
     folder.write("m.mtl", "newmtl unused\nmap_Kd none.png\nnewmtl used\nKd 0 0 1\n");
     const Stderr said;
-    const ObjFile file =
+    const ObjModel file =
         read(folder, "mtllib m.mtl\n" + four + "usemtl used\nf 1 2 3\nusemtl used\nf 1 3 4\n");
-    REQUIRE(file.material_list.size() == 1);
-    CHECK(file.material_list[0].name == "used");
+    REQUIRE(file.materials.size() == 1);
+    CHECK(file.materials[0].name == "used");
     CHECK(file.textures.empty());
     CHECK(said.text() == "");
 }
@@ -477,7 +478,7 @@ TEST_CASE("numbers out of range are clamped, with a warning that names file, mat
     const Folder folder;
     folder.write("m.mtl", "newmtl a\nKd 1.5 -1 .5\nKe -2 0 0\nNi .5\nPm 3\n");
     const Stderr said;
-    const ObjMaterial a = read(folder, "mtllib m.mtl\n" + four + "usemtl a\nf 1 2 3\n").material_list[0];
+    const ObjMaterial a = read(folder, "mtllib m.mtl\n" + four + "usemtl a\nf 1 2 3\n").materials[0];
     CHECK(a.diffuse == vec3(1, 0, 0.5f));
     CHECK(a.emission == vec3(0.0f));
     CHECK(a.ior == 1);
@@ -507,10 +508,10 @@ TEST_CASE("a wrong number in an .mtl file is an error with file and line") {
 TEST_CASE("a missing .mtl file: grey, and one warning with the paths tried") {
     const Folder folder;
     const Stderr said;
-    const ObjFile file =
+    const ObjModel file =
         read(folder, "mtllib sub/none.mtl\n" + four + "usemtl a\nf 1 2 3\nusemtl b\nf 1 3 4\n");
-    REQUIRE(file.material_list.size() == 1);
-    CHECK(file.material_list[0].diffuse == vec3(0.6f));
+    REQUIRE(file.materials.size() == 1);
+    CHECK(file.materials[0].diffuse == vec3(0.6f));
     CHECK_ERROR(said.text(), "a.obj", "\"sub/none.mtl\" not found", folder / "sub/none.mtl",
                 folder / "none.mtl");
     const std::string text = said.text();
@@ -525,8 +526,9 @@ TEST_CASE("materials that no file defines: grey, and a warning") {
     CHECK_ERROR(warnings_of(folder, four + "usemtl b\nf 1 2 3\n"), "no material file (mtllib)");
     CHECK(warnings_of(folder, "mtllib m.mtl\n" + four + "usemtl a\nf 1 2 3\n") == "");
     const Stderr said;
-    const ObjFile file = read(folder, "mtllib m.mtl\n" + four + "f 1 2 3\nusemtl a\nf 1 3 4\n");
-    CHECK(file.materials == std::vector<int>{1, 0}); // before the first usemtl: the default, which comes last
+    const ObjModel file = read(folder, "mtllib m.mtl\n" + four + "f 1 2 3\nusemtl a\nf 1 3 4\n");
+    CHECK(file.triangle_materials ==
+          std::vector<int>{1, 0}); // before the first usemtl: the default, which comes last
 }
 
 TEST_CASE("several .mtl files, names with spaces, backslashes, folders below and above") {
@@ -538,7 +540,7 @@ TEST_CASE("several .mtl files, names with spaces, backslashes, folders below and
                  "mtllib ..\\one.mtl ../sub/two.mtl\nmtllib C:\\art\\my own.mtl\nmtllib ../my own.mtl\n" +
                      four + "usemtl one\nf 1 2 3\nusemtl two\nf 1 2 3\nusemtl   my colour\nf 1 2 3\n");
     const Stderr said;
-    const std::vector<ObjMaterial> list = read_obj(folder / "below/a.obj").material_list;
+    const std::vector<ObjMaterial> list = read_obj(folder / "below/a.obj").materials;
     REQUIRE(list.size() == 3);
     CHECK(list[0].diffuse == vec3(1, 0, 0));
     CHECK(list[1].diffuse == vec3(0, 1, 0));
@@ -560,17 +562,17 @@ TEST_CASE("a texture is found beside the .mtl, beside the .obj, and by its bare 
     std::string text = "mtllib lib/m.mtl\n" + four;
     for (const char* name : {"a", "b", "c", "d"}) text += std::string("usemtl ") + name + "\nf 1 2 3\n";
     const Stderr said;
-    const ObjFile file = read(folder, text);
+    const ObjModel file = read(folder, text);
     REQUIRE(file.textures.size() == 2);
     CHECK(file.textures[0].values[0] == 10 * 257);
     CHECK(file.textures[1].values[0] == 20 * 257);
-    REQUIRE(file.material_list.size() == 4);
-    CHECK(file.material_list[0].texture == 0);
-    CHECK(file.material_list[1].texture == 1);
-    CHECK(file.material_list[2].texture == 0);
-    CHECK(file.material_list[3].texture == 0);
-    CHECK(file.material_list[0].diffuse == vec3(1.0f)); // no Kd: the texture alone is the colour
-    CHECK(file.material_list[1].diffuse == vec3(0.5f));
+    REQUIRE(file.materials.size() == 4);
+    CHECK(file.materials[0].texture == 0);
+    CHECK(file.materials[1].texture == 1);
+    CHECK(file.materials[2].texture == 0);
+    CHECK(file.materials[3].texture == 0);
+    CHECK(file.materials[0].diffuse == vec3(1.0f)); // no Kd: the texture alone is the colour
+    CHECK(file.materials[1].diffuse == vec3(0.5f));
     CHECK_ERROR(said.text(), "m.mtl:5: the texture's option -s is not followed", "m.mtl:7:");
 }
 
@@ -584,9 +586,9 @@ TEST_CASE("a missing or undecodable texture: a magenta checker, and a warning wi
     std::string text = "mtllib lib/m.mtl\n" + four;
     for (const char* name : {"a", "b", "c", "d"}) text += std::string("usemtl ") + name + "\nf 1 2 3\n";
     const Stderr said;
-    const ObjFile file = read(folder, text);
+    const ObjModel file = read(folder, text);
     REQUIRE(file.textures.size() == 3);
-    CHECK(file.material_list[0].texture == file.material_list[1].texture);
+    CHECK(file.materials[0].texture == file.materials[1].texture);
     const Bitmap& checker = file.textures[0];
     REQUIRE(checker.values.size() == std::size_t(3 * checker.width * checker.height));
     CHECK(checker.values[0] == 65535);
@@ -608,7 +610,7 @@ TEST_CASE("the bunny of glmark2-data is read whole") {
         SKIP_CHECK("no " + path + " (Debian's package glmark2-data)");
         return;
     }
-    const ObjFile file = read_obj(path);
+    const ObjModel file = read_obj(path);
     CHECK(file.triangles.size() == 69666);
     CHECK(file.positions.size() == 34835);
     CHECK(file.normals.empty());

@@ -21,11 +21,11 @@ namespace {
 const std::string four = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
 struct Reading {
-    ObjFile file;
+    ObjModel file;
     std::string said; ///< on stderr, or the error, with "a.obj" for the path
 };
 
-Reading read(const std::string& text, const ObjReading& how = {}) {
+Reading read(const std::string& text, const ObjReadOptions& how = {}) {
     const Folder folder;
     const std::string path = folder.write("a.obj", text);
     const Stderr said;
@@ -65,8 +65,8 @@ std::string city(const dvec3& corner) {
     return text + faces;
 }
 
-bool same_corners(const ObjFile& a, const ObjFile& b) {
-    const auto same = [](const ObjCorner& c, const ObjCorner& d) {
+bool same_corners(const ObjModel& a, const ObjModel& b) {
+    const auto same = [](const ObjIndex& c, const ObjIndex& d) {
         return c.position == d.position && c.uv == d.uv && c.normal == d.normal;
     };
     return std::ranges::equal(a.triangles, b.triangles, [&](const auto& t, const auto& u) {
@@ -75,13 +75,13 @@ bool same_corners(const ObjFile& a, const ObjFile& b) {
 }
 
 /// All but uvs and materials, bit by bit.
-bool same_geometry(const ObjFile& a, const ObjFile& b) {
+bool same_geometry(const ObjModel& a, const ObjModel& b) {
     return a.origin == b.origin && a.positions == b.positions && a.normals == b.normals && a.uvs == b.uvs &&
-           a.colors == b.colors && a.smoothing_groups == b.smoothing_groups && a.materials == b.materials &&
-           same_corners(a, b);
+           a.colors == b.colors && a.smoothing_groups == b.smoothing_groups &&
+           a.triangle_materials == b.triangle_materials && same_corners(a, b);
 }
 
-vec3 area_vector(const ObjFile& file, std::size_t triangle) {
+vec3 area_vector(const ObjModel& file, std::size_t triangle) {
     const auto at = [&](std::size_t k) {
         return file.positions[std::size_t(file.triangles[triangle][k].position)];
     };
@@ -111,7 +111,7 @@ std::string ball(double size, const dvec3& center) {
 
 TEST_CASE("a model far from the origin is moved there before its coordinates become floats") {
     const dvec3 far(500000, 0, 5000000);
-    const ObjFile here = read(city(dvec3(0))).file, there = read(city(far)).file;
+    const ObjModel here = read(city(dvec3(0))).file, there = read(city(far)).file;
     CHECK(here.origin == dvec3(0));
     CHECK_MESSAGE(glm::distance(there.origin, far) < 1000, "the origin is in the middle of the model");
     CHECK_MESSAGE(there.origin == round(there.origin), "a whole number");
@@ -132,7 +132,7 @@ TEST_CASE("a model near the origin stays where it is") {
 
 TEST_CASE("only vertices that a face names count for where the model is") {
     const std::string far = "v 1e6 1e6 0\nv 1000001 1e6 0\nv 1e6 1000001 0\n";
-    const ObjFile moved = read("v 0 0 0\n" + far + "v 0 0 0\nf 2 3 4\n").file;
+    const ObjModel moved = read("v 0 0 0\n" + far + "v 0 0 0\nf 2 3 4\n").file;
     CHECK(moved.origin.x == doctest::Approx(1e6));
     for (const auto k : {1u, 2u, 3u}) CHECK(length(moved.positions[k]) < 1);
     const Reading odd = read(four + "v 1e300 0 0\nv 3e38 3e38 1e39\nf 1 2 3\n");
@@ -184,9 +184,9 @@ TEST_CASE("faces that wind against their normals are turned with their uvs and n
     REQUIRE(reading.file.triangles.size() == 4);
     for (const std::size_t i : {0u, 1u, 2u}) {
         CHECK(area_vector(reading.file, i).z < 0);
-        for (const ObjCorner& corner : reading.file.triangles[i]) CHECK(corner.uv == corner.position);
+        for (const ObjIndex& corner : reading.file.triangles[i]) CHECK(corner.uv == corner.position);
     }
-    for (const ObjCorner& corner : reading.file.triangles[0])
+    for (const ObjIndex& corner : reading.file.triangles[0])
         CHECK(corner.normal == (corner.position < 2 ? 0 : 1));
     CHECK_MESSAGE(area_vector(reading.file, 3).z > 0, "without normals a face stays as it is");
 }
@@ -219,13 +219,13 @@ TEST_CASE("faces that are stated twice, once for each side, are no contradiction
 // ---- colours
 
 TEST_CASE("vertex colours are linear light of sRGB values, in [0, 1] or as bytes") {
-    const ObjFile unit = read("v 0 0 0 1 0 .5\nv 1 0 0\nv 0 1 0 0.03 0 1 # c\nv 0 0 1 .5\nf 1 2 3\n").file;
+    const ObjModel unit = read("v 0 0 0 1 0 .5\nv 1 0 0\nv 0 1 0 0.03 0 1 # c\nv 0 0 1 .5\nf 1 2 3\n").file;
     REQUIRE(unit.colors.size() == 4);
     CHECK(unit.colors[0] == approx(vec3(1, 0, 0.2140411f), 1e-5f));
     CHECK_MESSAGE(unit.colors[1] == vec3(1), "a vertex without a colour is white");
     CHECK(unit.colors[2] == approx(vec3(0.03f / 12.92f, 0, 1), 1e-5f));
     CHECK_MESSAGE(unit.colors[3] == vec3(1), "a fourth number alone is a weight");
-    const ObjFile bytes = read("v 0 0 0 255 0 127.5\nv 1 0 0 0 1 255\nv 0 1 0\nf 1 2 3\n").file;
+    const ObjModel bytes = read("v 0 0 0 255 0 127.5\nv 1 0 0 0 1 255\nv 0 1 0\nf 1 2 3\n").file;
     REQUIRE(bytes.colors.size() == 3);
     CHECK(bytes.colors[0] == approx(vec3(1, 0, 0.2140411f), 1e-5f));
     CHECK(bytes.colors[1].y == approx(1 / 255.0f / 12.92f, 1e-5f));
@@ -235,7 +235,7 @@ TEST_CASE("vertex colours are linear light of sRGB values, in [0, 1] or as bytes
 }
 
 TEST_CASE("comments of #MRGB colour the vertices in their order") {
-    const ObjFile file = read(four + "#MRGB ffff0000ff00FF00\n#MRGB ff0000ff\nf 1 2 3\n").file;
+    const ObjModel file = read(four + "#MRGB ffff0000ff00FF00\n#MRGB ff0000ff\nf 1 2 3\n").file;
     CHECK(file.colors == std::vector<vec3>{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}});
     CHECK(read(four + "#MRGB zz\n#MRGBfff\nf 1 2 3\n").file.colors.empty());
 }
@@ -243,9 +243,9 @@ TEST_CASE("comments of #MRGB colour the vertices in their order") {
 // ---- smoothing groups
 
 TEST_CASE("s lines give each triangle its smoothing group, 0 for off and -1 before the first") {
-    const ObjFile file = read(four + "f 1 2 3\ns 2\nf 1 2 3 4\ns off\nf 1 2 3\ns 1\ns 0\nf 1 2 3\ns x\ns\n"
-                                     "f 1 2 3\ns on\nf 1 2 3\n")
-                             .file;
+    const ObjModel file = read(four + "f 1 2 3\ns 2\nf 1 2 3 4\ns off\nf 1 2 3\ns 1\ns 0\nf 1 2 3\ns x\ns\n"
+                                      "f 1 2 3\ns on\nf 1 2 3\n")
+                              .file;
     CHECK(file.smoothing_groups == std::vector<int>{-1, 2, 2, 0, 0, 0, 1});
     CHECK(read(four + "f 1 2 3\n").file.smoothing_groups.empty());
 }
@@ -276,7 +276,7 @@ TEST_CASE("usemtl and mtllib without a name are skipped, with a warning") {
     CHECK(reading.said ==
           "warning: a.obj:6: usemtl names no material; what follows has the default one (the first of 2)\n"
           "warning: a.obj:5: mtllib names no file and is left out (the first of 2)\n");
-    CHECK(reading.file.materials == std::vector<int>{0, 0});
+    CHECK(reading.file.triangle_materials == std::vector<int>{0, 0});
 }
 
 TEST_CASE("corners that name normals or texture coordinates that do not exist get none, with a warning") {
@@ -285,7 +285,7 @@ TEST_CASE("corners that name normals or texture coordinates that do not exist ge
         CHECK(reading.said == said);
         std::size_t with = 0;
         for (const auto& triangle : reading.file.triangles)
-            for (const ObjCorner& c : triangle) with += std::size_t(c.uv >= 0) + std::size_t(c.normal >= 0);
+            for (const ObjIndex& c : triangle) with += std::size_t(c.uv >= 0) + std::size_t(c.normal >= 0);
         CHECK(with == kept);
     };
     const std::string normal = "a corner names a normal that does not exist and gets none";
@@ -343,7 +343,8 @@ TEST_CASE("a file is the same however it is cut into chunks, whatever it is made
         for (std::size_t i = 2 + pick(20); i > 0; --i) text += pieces[pick(std::size(pieces))];
         CAPTURE(text);
         const Reading whole = read(text, {1, 1 << 20});
-        for (const ObjReading& how : {ObjReading{1, 1}, {1, 2 + pick(60)}, {3, 1 + pick(61)}, {2, 61}}) {
+        for (const ObjReadOptions& how :
+             {ObjReadOptions{1, 1}, {1, 2 + pick(60)}, {3, 1 + pick(61)}, {2, 61}}) {
             CAPTURE(how.chunk_bytes);
             const Reading cut = read(text, how);
             CHECK(cut.said == whole.said);
@@ -354,9 +355,9 @@ TEST_CASE("a file is the same however it is cut into chunks, whatever it is made
 
 TEST_CASE("a moved model is the same however it is cut into chunks") {
     const std::string text = city(dvec3(4e5, 20, 5e6)) + "v 0 0 0\n";
-    const ObjFile whole = read(text, {1, 1 << 20}).file;
+    const ObjModel whole = read(text, {1, 1 << 20}).file;
     CHECK(whole.origin != dvec3(0));
-    for (const ObjReading& how : {ObjReading{1, 37}, {3, 1000}, {2, 4096}})
+    for (const ObjReadOptions& how : {ObjReadOptions{1, 37}, {3, 1000}, {2, 4096}})
         CHECK(same_geometry(read(text, how).file, whole));
 }
 

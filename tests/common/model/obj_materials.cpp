@@ -25,13 +25,13 @@ std::string model(const std::string& library_line, const std::string& materials)
 }
 
 struct Reading {
-    ObjFile file;
+    ObjModel file;
     std::string warnings;
 };
 
 Reading read(const Folder& folder, const std::string& text) {
     const Stderr said;
-    ObjFile file = read_obj(folder.write("a.obj", text));
+    ObjModel file = read_obj(folder.write("a.obj", text));
     return {std::move(file), said.text()};
 }
 
@@ -70,11 +70,11 @@ TEST_CASE(
     folder.write("grey.png", grey({0, 127, 128, 255}));
     folder.write("alpha.png", grey_alpha({200, 0, 0, 255}));
     folder.write("opaque.png", grey_alpha({10, 255, 255, 255}));
-    const ObjFile file = read_mtl(folder,
-                                  "newmtl a\nmap_d grey.png\nnewmtl b\nmap_d alpha.png\nnewmtl c\nmap_d "
-                                  "opaque.png\nnewmtl d\nmap_d -bm 1 ./grey.png\n",
-                                  "abcd")
-                             .file;
+    const ObjModel file = read_mtl(folder,
+                                   "newmtl a\nmap_d grey.png\nnewmtl b\nmap_d alpha.png\nnewmtl c\nmap_d "
+                                   "opaque.png\nnewmtl d\nmap_d -bm 1 ./grey.png\n",
+                                   "abcd")
+                              .file;
     REQUIRE(file.masks.size() == 3);
     CHECK(file.masks[0].width == 4);
     CHECK(file.masks[0].height == 1);
@@ -83,7 +83,7 @@ TEST_CASE(
     CHECK(file.masks[1].opacity == Values{0, 65535});
     CHECK(file.masks[2].opacity == Values{10 * 257, 65535});
     const int expected[] = {0, 1, 2, 0};
-    for (std::size_t i = 0; i < 4; ++i) CHECK(file.material_list[i].mask == expected[i]);
+    for (std::size_t i = 0; i < 4; ++i) CHECK(file.materials[i].mask == expected[i]);
     CHECK(file.textures.empty());
 }
 
@@ -91,16 +91,16 @@ TEST_CASE("the alpha of map_Kd cuts holes where there is no map_d") {
     const Folder folder;
     folder.write("leaf.png", grey_alpha({200, 255, 50, 0}));
     folder.write("white.png", grey({255}));
-    const ObjFile file = read_mtl(folder,
-                                  "newmtl a\nmap_Kd leaf.png\nnewmtl b\nmap_Kd leaf.png\nmap_d "
-                                  "white.png\nnewmtl c\nmap_Kd leaf.png\n",
-                                  "abc")
-                             .file;
+    const ObjModel file = read_mtl(folder,
+                                   "newmtl a\nmap_Kd leaf.png\nnewmtl b\nmap_Kd leaf.png\nmap_d "
+                                   "white.png\nnewmtl c\nmap_Kd leaf.png\n",
+                                   "abc")
+                              .file;
     REQUIRE(file.masks.size() == 1);
     CHECK(file.masks[0].opacity == Values{65535, 0});
-    CHECK(file.material_list[0].mask == 0);
-    CHECK_MESSAGE(file.material_list[1].mask == -1, "map_d says that it has no holes");
-    CHECK(file.material_list[2].mask == 0);
+    CHECK(file.materials[0].mask == 0);
+    CHECK_MESSAGE(file.materials[1].mask == -1, "map_d says that it has no holes");
+    CHECK(file.materials[2].mask == 0);
     CHECK(file.textures.size() == 1);
 }
 
@@ -113,7 +113,7 @@ TEST_CASE("a mask without a hole, and the mask of glass, are left out") {
                                      "newmtl c\nmap_d none.png\n",
                                      "abc");
     CHECK(reading.file.masks.empty());
-    for (const ObjMaterial& material : reading.file.material_list) CHECK(material.mask == -1);
+    for (const ObjMaterial& material : reading.file.materials) CHECK(material.mask == -1);
     CHECK_ERROR(reading.warnings, "\"none.png\" cannot be used, its material has no holes");
     CHECK(lines_of(reading.warnings) == 1);
 }
@@ -146,9 +146,9 @@ TEST_CASE("names in quotes, as Metashape writes them") {
     const Reading reading =
         read(folder, "mtllib \"my scan.mtl\" \"c.mtl\"\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl \"a b\"\n"
                      "f 1 2 3\nusemtl a b\nf 1 2 3\nusemtl \"c\"\nf 1 2 3\nusemtl d\nf 1 2 3\n");
-    REQUIRE(reading.file.material_list.size() == 3);
-    CHECK(reading.file.material_list[0].name == "a b");
-    CHECK(reading.file.materials == std::vector<int>{0, 0, 1, 2});
+    REQUIRE(reading.file.materials.size() == 3);
+    CHECK(reading.file.materials[0].name == "a b");
+    CHECK(reading.file.triangle_materials == std::vector<int>{0, 0, 1, 2});
     REQUIRE(reading.file.textures.size() == 1);
     CHECK(reading.file.textures[0].values[0] == 7 * 257);
     CHECK(lines_of(reading.warnings) == 1); // of -s
@@ -236,9 +236,9 @@ TEST_CASE("a colour in CIE XYZ becomes linear RGB") {
         folder, "newmtl a\nKd xyz .4124 .2126 .0193\nnewmtl b\nKd xyz .47525 .5 .5445\nnewmtl c\nKd xyz .3\n",
         "abc");
     CHECK(reading.warnings == "");
-    CHECK(reading.file.material_list[0].diffuse == approx(vec3(1, 0, 0), 1e-3f)); // the red of sRGB
-    CHECK(reading.file.material_list[2].diffuse == approx(vec3(0.3614f, 0.2845f, 0.2729f), 1e-3f));
-    CHECK(reading.file.material_list[1].diffuse == approx(vec3(0.5f), 1e-3f)); // its white, halved
+    CHECK(reading.file.materials[0].diffuse == approx(vec3(1, 0, 0), 1e-3f)); // the red of sRGB
+    CHECK(reading.file.materials[2].diffuse == approx(vec3(0.3614f, 0.2845f, 0.2729f), 1e-3f));
+    CHECK(reading.file.materials[1].diffuse == approx(vec3(0.5f), 1e-3f)); // its white, halved
     CHECK_ERROR(error_of([&] { read_mtl(folder, "newmtl a\nKd xyz .3 .3\n"); }), "m.mtl:2:", "three numbers");
 }
 
@@ -261,7 +261,7 @@ TEST_CASE("thousands of materials, and of lines that call their file by ever new
     obj += "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
     for (int i = 0; i < 20'000; ++i) obj += "usemtl m" + std::to_string(i) + "\nf 1 2 3\n";
     const std::clock_t begin = std::clock();
-    CHECK(read(folder, obj).file.material_list.size() == 20'000);
+    CHECK(read(folder, obj).file.materials.size() == 20'000);
     const double seconds = double(std::clock() - begin) / CLOCKS_PER_SEC;
     CHECK_MESSAGE(seconds < 5,
                   ("it took " + to_text(seconds) + " s of all cores")); // .2 s; minutes when square

@@ -57,7 +57,7 @@ std::vector<vec3> star(int count, Random& random) {
 void check_cut(const std::vector<vec3>& corners) {
     double sum = 0;
     bool all_left = true;
-    const auto triangles = cut_polygon(corners);
+    const auto triangles = triangulate(corners);
     CHECK(triangles.size() == corners.size() - 2);
     for (const auto& [a, b, c] : triangles) {
         const double area =
@@ -73,7 +73,7 @@ double cpu_seconds_to_cut(const std::vector<vec3>& corners) {
     double best = 1e9;
     for (int round = 0; round < 3; ++round) {
         const std::clock_t start = std::clock();
-        cut_polygon(corners);
+        triangulate(corners);
         best = std::min(best, double(std::clock() - start) / CLOCKS_PER_SEC);
     }
     return best;
@@ -103,6 +103,6 @@ TEST_CASE("a polygon that crosses itself all over is still cut into n - 2 triang
     Random random(43);
     std::vector<vec3> corners;
     for (int i = 0; i < 2000; ++i) corners.emplace_back(random.uniform(), random.uniform(), 0.0f);
-    CHECK(cut_polygon(corners).size() == 1998);
+    CHECK(triangulate(corners).size() == 1998);
     CHECK(cpu_seconds_to_cut(corners) < 1); // 0.02 s on a quiet machine
 }

@@ -13,7 +13,7 @@ namespace {
 
 const std::string columns = "material,x,y,z,radius,red,green,blue,fuzz_or_ior\n";
 
-std::vector<ListedSphere> read(const std::string& text) {
+std::vector<SphereRecord> read(const std::string& text) {
     const Folder folder;
     return read_sphere_list(folder.write("balls.csv", text));
 }
@@ -33,14 +33,14 @@ TEST_CASE("each line of a list is a ball, and the last column a metal's fuzz or 
                                       "metal,-1.5e1,2,3,0.2,0.1,0.2,0.3,0.45\n"
                                       "dielectric,1,2,3,1,1,1,1,1.5\n");
     REQUIRE(balls.size() == 3);
-    CHECK(balls[0].kind == ListedSphere::Kind::matte);
+    CHECK(balls[0].kind == SphereRecord::Kind::matte);
     CHECK(balls[0].center == vec3(0, -1000, 0.5f));
     CHECK(balls[0].radius == 1000);
     CHECK(balls[0].albedo == vec3(0.5f, 0.25f, 1));
-    CHECK(balls[1].kind == ListedSphere::Kind::metal);
+    CHECK(balls[1].kind == SphereRecord::Kind::metal);
     CHECK(balls[1].center == vec3(-15, 2, 3));
     CHECK(balls[1].fuzz == 0.45f);
-    CHECK(balls[2].kind == ListedSphere::Kind::glass);
+    CHECK(balls[2].kind == SphereRecord::Kind::glass);
     CHECK(balls[2].ior == 1.5f);
 }
 

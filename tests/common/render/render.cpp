@@ -29,7 +29,7 @@ rt::RenderSettings picture(int width, int height, int samples, int threads) {
 }
 
 /// Noise that depends on all that a sample is, with sums that round.
-rt::vec3 noise(rt::Sample& sample) {
+rt::vec3 noise(rt::PixelSample& sample) {
     const float u = sample.random.uniform();
     const float v = sample.random.uniform();
     return {u * float(sample.x) + 0.1f, v / float(sample.y + 1), u * v * float(sample.index)};
@@ -48,7 +48,7 @@ rt::Image part(const rt::Image& whole, rt::Crop crop) {
 }
 
 rt::SampleFunction values_by_index(const std::vector<rt::vec3>& values) {
-    return [values](rt::Sample& sample) { return values[std::size_t(sample.index)]; };
+    return [values](rt::PixelSample& sample) { return values[std::size_t(sample.index)]; };
 }
 
 /// One pixel whose samples are `values`.
@@ -92,7 +92,7 @@ TEST_CASE("another seed makes another picture, the same seed the same one") {
 TEST_CASE("every pixel is asked once a sample, by its place in the whole picture") {
     rt::RenderSettings wanted = picture(40, 30, 3, 2);
     wanted.crop = {17, 11, 38, 29};
-    const rt::Film film = rt::render(wanted, [](rt::Sample& sample) {
+    const rt::Film film = rt::render(wanted, [](rt::PixelSample& sample) {
         CHECK(sample.count == 3);
         const rt::Random expected(sample.x, sample.y, sample.index, 1);
         CHECK(rt::Random(expected).bits() == rt::Random(sample.random).bits());
@@ -122,7 +122,8 @@ TEST_CASE("a constant stays itself to the last bit, without variance, however ma
     const rt::vec3 constant(0.1f, 1 / 3.0f, 12345.678f);
     for (const int samples : {1, 2, 3, 7, 100000}) {
         CAPTURE(samples);
-        const rt::Film film = rt::render(picture(1, 1, samples, 1), [&](rt::Sample&) { return constant; });
+        const rt::Film film =
+            rt::render(picture(1, 1, samples, 1), [&](rt::PixelSample&) { return constant; });
         CHECK(film.mean(0, 0) == constant);
         CHECK(film.variance(0, 0) == rt::vec3(0));
     }
@@ -141,16 +142,17 @@ TEST_CASE("the variance of known samples is the variance of their mean, by hand"
 
 TEST_CASE("the variance survives a mean that is large beside it") {
     // 10000 and 10001 in turn: (1/2)^2 / 999. The difference of squares in floats would be lost in rounding.
-    const rt::Film film = rt::render(
-        picture(1, 1, 1000, 1), [](rt::Sample& sample) { return rt::vec3(float(10000 + sample.index % 2)); });
+    const rt::Film film = rt::render(picture(1, 1, 1000, 1), [](rt::PixelSample& sample) {
+        return rt::vec3(float(10000 + sample.index % 2));
+    });
     CHECK(film.variance(0, 0).x == doctest::Approx(0.25 / 999).epsilon(0.01));
 }
 
 TEST_CASE("the variance foretells how the mean of another seed differs") {
     // Mean over 4096 pixels of (mean - 1/2)^2 / variance of the mean: for 16 samples its expectation is 15/13
     // (Student's t of 15 degrees), its deviation about sqrt(2.7 + ...) / 64 < 0.04; 0.2 is 5 of them.
-    const rt::Film film = rt::render(picture(64, 64, 16, 2),
-                                     [](rt::Sample& sample) { return rt::vec3(sample.random.uniform()); });
+    const rt::Film film = rt::render(
+        picture(64, 64, 16, 2), [](rt::PixelSample& sample) { return rt::vec3(sample.random.uniform()); });
     double sum = 0;
     for (std::size_t i = 0; i < film.mean.pixels.size(); ++i) {
         const double off = double(film.mean.pixels[i].x) - 0.5;
@@ -160,7 +162,7 @@ TEST_CASE("the variance foretells how the mean of another seed differs") {
 }
 
 TEST_CASE("samples that are not finite are counted, and the first is the same for all threads") {
-    const auto sick = [](rt::Sample& sample) {
+    const auto sick = [](rt::PixelSample& sample) {
         if (sample.x == 70 && sample.y == 5 && sample.index >= 2) return rt::vec3(0, not_a_number, 0);
         if (sample.x == 3 && sample.y == 30) return rt::vec3(rt::infinity, 0, 0);
         if (sample.x == 4 && sample.y == 5 && sample.index == 3) return rt::vec3(0, 0, -rt::infinity);
@@ -170,10 +172,10 @@ TEST_CASE("samples that are not finite are counted, and the first is the same fo
     for (const int threads : {1, 2, 3, 7}) {
         CAPTURE(threads);
         const rt::Film film = rt::render(picture(83, 49, 4, threads), sick);
-        CHECK(film.not_finite == 2 + 4 + 1);
-        CHECK(film.first_x == 4); // row 5 before row 30, column 4 before column 70
-        CHECK(film.first_y == 5);
-        CHECK(film.first_sample == 3);
+        CHECK(film.invalid_samples == 2 + 4 + 1);
+        CHECK(film.first_invalid.x == 4); // row 5 before row 30, column 4 before column 70
+        CHECK(film.first_invalid.y == 5);
+        CHECK(film.first_invalid.sample == 3);
         for (const rt::vec3 mean : {film.mean(4, 5), film.mean(70, 5), film.mean(3, 30)})
             CHECK((std::isnan(mean.x) && std::isnan(mean.y) && std::isnan(mean.z)));
         CHECK(std::isnan(film.variance(4, 5).x));
@@ -185,19 +187,19 @@ TEST_CASE("samples that are not finite are counted, and the first is the same fo
 TEST_CASE("a crop reports the first sample that is not finite by its place in the whole picture") {
     rt::RenderSettings wanted = picture(40, 30, 1, 1);
     wanted.crop = {10, 20, 40, 30};
-    const rt::Film film = rt::render(wanted, [](rt::Sample& sample) {
+    const rt::Film film = rt::render(wanted, [](rt::PixelSample& sample) {
         return rt::vec3(sample.x == 25 && sample.y > 20 ? not_a_number : 0.0f);
     });
-    CHECK(film.not_finite == 9);
-    CHECK(film.first_x == 25);
-    CHECK(film.first_y == 21);
-    CHECK(film.first_sample == 0);
+    CHECK(film.invalid_samples == 9);
+    CHECK(film.first_invalid.x == 25);
+    CHECK(film.first_invalid.y == 21);
+    CHECK(film.first_invalid.sample == 0);
 }
 
 TEST_CASE("an exception in one of the threads reaches the caller") {
     for (const int threads : {1, 3}) {
         CAPTURE(threads);
-        const auto failing = [](rt::Sample& sample) -> rt::vec3 {
+        const auto failing = [](rt::PixelSample& sample) -> rt::vec3 {
             if (sample.x == 60 && sample.y == 33) throw std::runtime_error("pixel 60,33");
             return rt::vec3(0);
         };
@@ -208,7 +210,7 @@ TEST_CASE("an exception in one of the threads reaches the caller") {
 
 TEST_CASE("an exception soon ends the work of the other threads") {
     std::atomic<int> asked = 0;
-    const auto failing = [&asked](rt::Sample& sample) -> rt::vec3 {
+    const auto failing = [&asked](rt::PixelSample& sample) -> rt::vec3 {
         ++asked;
         if (sample.x == 0 && sample.y == 0) throw std::runtime_error("at once");
         std::this_thread::sleep_for(std::chrono::microseconds(100));
@@ -218,19 +220,19 @@ TEST_CASE("an exception soon ends the work of the other threads") {
     CHECK(asked < 128 * 64 / 4);
 }
 
-TEST_CASE("the tally adds up what all threads counted, and nothing older") {
-    rt::tally.rays = 1000; // of the thread that calls
+TEST_CASE("the ray statistics add up what all threads counted, and nothing older") {
+    rt::ray_stats.rays = 1000; // of the thread that calls
     for (const int threads : {1, 3}) {
         CAPTURE(threads);
-        const rt::Film film = rt::render(picture(83, 49, 2, threads), [](rt::Sample& sample) {
-            rt::tally.rays += 1;
-            rt::tally.box_tests += 3;
-            rt::tally.triangle_tests += std::uint64_t(sample.x);
+        const rt::Film film = rt::render(picture(83, 49, 2, threads), [](rt::PixelSample& sample) {
+            rt::ray_stats.rays += 1;
+            rt::ray_stats.box_tests += 3;
+            rt::ray_stats.triangle_tests += std::uint64_t(sample.x);
             return rt::vec3(0);
         });
-        CHECK(film.tally.rays == 83 * 49 * 2);
-        CHECK(film.tally.box_tests == 83 * 49 * 2 * 3);
-        CHECK(film.tally.triangle_tests == 82 * 83 / 2 * 49 * 2);
+        CHECK(film.ray_stats.rays == 83 * 49 * 2);
+        CHECK(film.ray_stats.box_tests == 83 * 49 * 2 * 3);
+        CHECK(film.ray_stats.triangle_tests == 82 * 83 / 2 * 49 * 2);
     }
 }
 
@@ -243,7 +245,7 @@ TEST_CASE("two threads work at the same time") {
         return seen.size();
     };
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(5);
-    rt::render(picture(64, 64, 1, 2), [&](rt::Sample&) { // the first to come waits for the other
+    rt::render(picture(64, 64, 1, 2), [&](rt::PixelSample&) { // the first to come waits for the other
         while (count() < 2 && std::chrono::steady_clock::now() < end)
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
         return rt::vec3(0);

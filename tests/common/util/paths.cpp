@@ -48,7 +48,7 @@ class ChosenFolder {
 
 TEST_CASE("an asset is found in the folder that RAYSTEPS_ASSETS names") {
     const ChosenFolder folder;
-    CHECK(rt::asset("mine.obj") == (folder.path / "mine.obj").string());
+    CHECK(rt::asset_path("mine.obj") == (folder.path / "mine.obj").string());
 }
 
 TEST_CASE("an asset that is nowhere is an error that names every path tried") {
@@ -57,7 +57,7 @@ TEST_CASE("an asset that is nowhere is an error that names every path tried") {
         CAPTURE(name);
         std::string message;
         try {
-            rt::asset(name);
+            rt::asset_path(name);
         } catch (const rt::Error& error) {
             message = error.what();
         }

@@ -1,6 +1,6 @@
 // Facts about comparing: equal pictures pass, a bias is found where it is and with its sign, noise does not
 // alarm.
-#include "tools/compare/compare.h"
+#include "tools/compare/difference.h"
 
 #include "common/util/error.h"
 #include "tests/compare/pictures.h"
@@ -11,6 +11,7 @@
 #include <limits>
 
 using namespace rt;
+using namespace rt::compare;
 using namespace rt::malformed;
 
 namespace {
@@ -26,35 +27,35 @@ Image scene() {
 }
 
 TileDifference compared(const NoisyPicture& a, const NoisyPicture& b) {
-    return tile_difference(a.mean, b.mean, a.variance, b.variance);
+    return compare_tiles(a.mean, b.mean, a.variance, b.variance);
 }
 
 } // namespace
 
 TEST_CASE("a picture is the same as itself") {
-    const Verdict same = verdict(difference(scene(), scene()));
+    const Conclusion same = conclude(compare_pixels(scene(), scene()));
     CHECK(same.same);
     CHECK(same.words == "same picture (largest difference 0, mean 0)");
     const NoisyPicture noisy(scene(), 1);
-    CHECK(verdict(compared(noisy, noisy)).same);
+    CHECK(conclude(compared(noisy, noisy)).same);
 }
 
 TEST_CASE("the largest difference is found where it is, with its size and sign") {
     Image test = scene();
     test(120, 80) *= 1.12f;
-    const Difference d = difference(test, scene());
+    const Difference d = compare_pixels(test, scene());
     CHECK(d.x == 120);
     CHECK(d.y == 80);
     CHECK(d.differing == 1);
     CHECK(std::abs(d.largest - 0.06f) < 1e-5f); // of .5
     CHECK(std::abs(d.mean - (0.12 * (0.44 + 0.5 + 0.32) / 3) / (width * height)) < 1e-9);
-    CHECK(verdict(d).same); // one pixel of 16,000 is within the limits
+    CHECK(conclude(d).same); // one pixel of 16,000 is within the limits
     for (int x = 0; x < 17; ++x) test(x, 80) *= 1.1f;
-    const Verdict brighter = verdict(difference(test, scene()));
+    const Conclusion brighter = conclude(compare_pixels(test, scene()));
     CHECK_FALSE(brighter.same);
     CHECK_ERROR(brighter.words, "different: 18 of 16000 pixels", "largest 0.06 at 120,80",
                 "brighter by 12 % there");
-    CHECK_ERROR(verdict(difference(scene(), test)).words, "darker by 10.7 % there");
+    CHECK_ERROR(conclude(compare_pixels(scene(), test)).words, "darker by 10.7 % there");
 }
 
 TEST_CASE("the tolerance is absolute for dark pixels and relative for bright ones") {
@@ -62,7 +63,7 @@ TEST_CASE("the tolerance is absolute for dark pixels and relative for bright one
         Image a(1, 1), b(1, 1);
         b(0, 0) = vec3(value);
         a(0, 0) = vec3(value, value, value + change);
-        return difference(a, b).differing;
+        return compare_pixels(a, b).differing;
     };
     CHECK(differing(0.1f, 0.0009f) == 0);
     CHECK(differing(0.1f, -0.0011f) == 1);
@@ -74,50 +75,50 @@ TEST_CASE(
     "a small change of the whole picture fails by its mean, though each pixel is within the tolerance") {
     Image test = scene();
     for (vec3& pixel : test.pixels) pixel += vec3(0.0005f);
-    const Difference d = difference(test, scene());
+    const Difference d = compare_pixels(test, scene());
     CHECK(d.differing == 0);
-    CHECK_FALSE(verdict(d).same);
-    CHECK_ERROR(verdict(d).words, "mean 0.0005", "% brighter");
+    CHECK_FALSE(conclude(d).same);
+    CHECK_ERROR(conclude(d).words, "mean 0.0005", "% brighter");
 }
 
 TEST_CASE("one pixel in a thousand may differ, two may not") {
     Image test = scene();
     for (int i = 0; i < 16; ++i) test.pixels[std::size_t(i) * 1000] += vec3(0.01f);
-    CHECK(verdict(difference(test, scene())).same);
+    CHECK(conclude(compare_pixels(test, scene())).same);
     test.pixels[77] += vec3(0.01f);
-    CHECK_FALSE(verdict(difference(test, scene())).same);
+    CHECK_FALSE(conclude(compare_pixels(test, scene())).same);
 }
 
 TEST_CASE("a pixel that is not a number is the largest difference there is") {
     Image test = scene();
     test(3, 4).y = std::numeric_limits<float>::quiet_NaN();
-    const Difference d = difference(test, scene());
+    const Difference d = compare_pixels(test, scene());
     CHECK(d.x == 3);
     CHECK(d.y == 4);
     CHECK(d.differing == 1);
-    CHECK_FALSE(verdict(d).same);
-    CHECK_ERROR(verdict(d).words, "at 3,4", "not a number there");
+    CHECK_FALSE(conclude(d).same);
+    CHECK_ERROR(conclude(d).words, "at 3,4", "not a number there");
     const Image still(width, height);
-    CHECK_FALSE(verdict(tile_difference(test, scene(), still, still)).same);
+    CHECK_FALSE(conclude(compare_tiles(test, scene(), still, still)).same);
 }
 
 TEST_CASE("pictures of different sizes are an error that states both") {
     const Image a(160, 100), b(100, 160);
-    CHECK_ERROR(error_of([&] { difference(a, b); }), "160 x 100", "100 x 160");
-    CHECK_ERROR(error_of([&] { tile_difference(a, a, a, b); }), "160 x 100", "100 x 160");
-    CHECK_ERROR(error_of([&] { tile_difference(a, a, b, a); }), "160 x 100", "100 x 160");
-    CHECK_ERROR(error_of([&] { tile_difference(a, b, a, a); }), "160 x 100", "100 x 160");
+    CHECK_ERROR(error_of([&] { compare_pixels(a, b); }), "160 x 100", "100 x 160");
+    CHECK_ERROR(error_of([&] { compare_tiles(a, a, a, b); }), "160 x 100", "100 x 160");
+    CHECK_ERROR(error_of([&] { compare_tiles(a, a, b, a); }), "160 x 100", "100 x 160");
+    CHECK_ERROR(error_of([&] { compare_tiles(a, b, a, a); }), "160 x 100", "100 x 160");
 }
 
 TEST_CASE("two right renders with different seeds are the same picture up to noise") {
     const Image truth = scene();
-    int alarms = 0, tiles = 0, failures = 0;
+    int outliers = 0, tiles = 0, failures = 0;
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         const TileDifference d = compared(NoisyPicture(truth, 2 * seed), NoisyPicture(truth, 2 * seed + 1));
         CHECK(d.tiles == 20 * 13);
-        alarms += d.alarms;
+        alarms += d.outliers;
         tiles += d.tiles;
-        failures += verdict(d).same ? 0 : 1;
+        failures += conclude(d).same ? 0 : 1;
     }
     CHECK_MESSAGE(failures == 0, (std::to_string(failures) + " of 20 right pairs were called different"));
     CHECK_MESSAGE(alarms <= 3,
@@ -146,23 +147,23 @@ TEST_CASE("a bias is found in its tile, with its sign and size") {
     }
     const NoisyPicture right(scene(), 5), wrong(changed, 6);
     const TileDifference d = compared(wrong, right);
-    CHECK(d.alarms == 1);
+    CHECK(d.outliers == 1);
     CHECK(d.x == 104);
     CHECK(d.y == 48);
     CHECK(d.largest_z > 5);
-    const Verdict found = verdict(d);
+    const Conclusion found = conclude(d);
     CHECK_FALSE(found.same);
     CHECK_ERROR(found.words, "different: 1 of 260 tiles", "at 104,48", "brighter by");
     const TileDifference swapped = compared(right, wrong);
     CHECK(swapped.largest_z == doctest::Approx(-d.largest_z));
-    CHECK_ERROR(verdict(swapped).words, "darker by");
+    CHECK_ERROR(conclude(swapped).words, "darker by");
 }
 
 TEST_CASE("a change of the whole picture by a tenth lights many tiles") {
     Image changed = scene();
     for (vec3& pixel : changed.pixels) pixel *= 0.9f;
     const TileDifference d = compared(NoisyPicture(changed, 7), NoisyPicture(scene(), 8));
-    CHECK(d.alarms > 100);
+    CHECK(d.outliers > 100);
     CHECK(d.largest_z < -4);
 }
 
@@ -170,14 +171,14 @@ TEST_CASE("where nothing is noisy, tiles are compared as they are") {
     const Image still(width, height);
     Image test = scene();
     test(10, 10) += vec3(0.03f); // 0.03 / 64 is within the tolerance for the tile's mean
-    CHECK(verdict(tile_difference(test, scene(), still, still)).same);
+    CHECK(conclude(compare_tiles(test, scene(), still, still)).same);
     test(10, 10) -= vec3(0.13f);
-    const TileDifference d = tile_difference(test, scene(), still, still);
-    CHECK(d.alarms == 1);
+    const TileDifference d = compare_tiles(test, scene(), still, still);
+    CHECK(d.outliers == 1);
     CHECK(d.x == 8);
     CHECK(d.y == 8);
     CHECK(d.largest_z == -std::numeric_limits<double>::infinity());
-    CHECK_FALSE(verdict(d).same);
+    CHECK_FALSE(conclude(d).same);
 }
 
 TEST_CASE("rounding to .hdr is not taken for a difference where there is next to no noise") {
@@ -188,5 +189,5 @@ TEST_CASE("rounding to .hdr is not taken for a difference where there is next to
         reference.pixels[i] += vec3((random.uniform() - 0.5f) / 512);
         variance.pixels[i] = vec3(1e-12f);
     }
-    CHECK(verdict(tile_difference(test, reference, variance, variance)).same);
+    CHECK(conclude(compare_tiles(test, reference, variance, variance)).same);
 }

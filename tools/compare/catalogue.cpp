@@ -1,5 +1,5 @@
 // Compares a picture with known wrong ones, and says nothing unless one of them is the same.
-#include "tools/compare/known.h"
+#include "tools/compare/catalogue.h"
 
 #include "tools/compare/flip.h"
 #include "common/util/error.h"
@@ -11,7 +11,7 @@
 #include <optional>
 #include <system_error>
 
-namespace rt {
+namespace rt::compare {
 namespace {
 
 namespace fs = std::filesystem;
@@ -20,35 +20,36 @@ namespace fs = std::filesystem;
 double mean_z(const TileDifference& tiles, const TileDifference* telling = nullptr) {
     double sum = 0;
     int count = 0;
-    for (std::size_t i = 0; i < tiles.marks.size(); ++i) {
-        if (telling && std::abs(telling->marks[i].z) <= limits.alarm_z) continue;
-        sum += std::min(tiles.marks[i].z * tiles.marks[i].z, 1e6);
+    for (std::size_t i = 0; i < tiles.scores.size(); ++i) {
+        if (telling && std::abs(telling->scores[i].z) <= limits.outlier_z) continue;
+        sum += std::min(tiles.scores[i].z * tiles.scores[i].z, 1e6);
         ++count;
     }
     return count > 0 ? std::sqrt(sum / count) : 0;
 }
 
 /// The distance to a known picture; none if the two do not agree, or the reference is about as near.
-std::optional<double> exact_distance(const StoredImage& test, const StoredImage& reference,
-                                     const KnownPicture& known) {
+std::optional<double> exact_distance(const EncodedImage& test, const EncodedImage& reference,
+                                     const CatalogueImage& known) {
     const Pair to_known = comparable(test, known.picture), to_reference = comparable(test, reference);
     if (root_mean_square(to_known.test, to_known.reference) >=
         root_mean_square(to_reference.test, to_reference.reference))
         return {};
-    const Flip seen = flip(to_known.reference, to_known.test);
-    const bool looks_same = seen.mean <= limits.known_flip_mean && seen.max <= limits.known_flip_max;
-    if (!looks_same && !verdict(difference(to_known.test, to_known.reference)).same) return {};
-    if (seen.mean > limits.known_nearer * flip(to_reference.reference, to_reference.test).mean) return {};
+    const FlipMap seen = flip(to_known.reference, to_known.test);
+    const bool looks_same = seen.mean <= limits.catalogue_flip_mean && seen.max <= limits.catalogue_flip_max;
+    if (!looks_same && !conclude(compare_pixels(to_known.test, to_known.reference)).same) return {};
+    if (seen.mean > limits.catalogue_max_ratio * flip(to_reference.reference, to_reference.test).mean)
+        return {};
     return seen.mean;
 }
 
-std::optional<double> noisy_distance(const StoredImage& test, const StoredImage& reference,
-                                     const Variances& variances, const KnownPicture& known) {
+std::optional<double> noisy_distance(const EncodedImage& test, const EncodedImage& reference,
+                                     const Variances& variances, const CatalogueImage& known) {
     const Image& variance = known.variance.pixels.empty() ? variances.test : known.variance;
-    const TileDifference tiles = tile_difference(test.image, known.picture.image, variances.test, variance);
+    const TileDifference tiles = compare_tiles(test.image, known.picture.image, variances.test, variance);
     const TileDifference right =
-        tile_difference(test.image, reference.image, variances.test, variances.reference);
-    if (!verdict(tiles).same || mean_z(tiles, &right) > limits.known_nearer * mean_z(right, &right))
+        compare_tiles(test.image, reference.image, variances.test, variances.reference);
+    if (!conclude(tiles).same || mean_z(tiles, &right) > limits.catalogue_max_ratio * mean_z(right, &right))
         return {};
     return mean_z(tiles);
 }
@@ -71,14 +72,15 @@ std::map<std::string, std::string> pictures_in(const std::string& folder) {
 
 } // namespace
 
-Nearest nearest_known(const StoredImage& test, const StoredImage& reference, const Variances& variances,
-                      const std::vector<KnownPicture>& known) {
+CatalogueMatch find_in_catalogue(const EncodedImage& test, const EncodedImage& reference,
+                                 const Variances& variances, const std::vector<CatalogueImage>& catalogue) {
     std::vector<std::pair<double, std::string>> found;
-    for (const KnownPicture& candidate : known) {
+    for (const CatalogueImage& candidate : catalogue) {
         try {
             check_same_size(test.image, candidate.picture.image);
-            const auto distance = variances.given() ? noisy_distance(test, reference, variances, candidate)
-                                                    : exact_distance(test, reference, candidate);
+            const auto distance = variances.available()
+                                      ? noisy_distance(test, reference, variances, candidate)
+                                      : exact_distance(test, reference, candidate);
             if (distance) found.emplace_back(*distance, candidate.name);
         } catch (const Error& problem) {
             throw Error("known picture " + candidate.name + ": " + problem.what());
@@ -86,20 +88,20 @@ Nearest nearest_known(const StoredImage& test, const StoredImage& reference, con
     }
     if (found.empty()) return {};
     std::sort(found.begin(), found.end());
-    Nearest nearest{{}, found.front().first};
+    CatalogueMatch match{{}, found.front().first};
     for (const auto& [distance, name] : found)
-        if (distance <= limits.known_tie * nearest.distance) nearest.names.push_back(name);
-    return nearest;
+        if (distance <= limits.catalogue_tie * match.distance) match.names.push_back(name);
+    return match;
 }
 
-std::vector<KnownPicture> read_known(const std::string& folder) {
-    std::vector<KnownPicture> known;
+std::vector<CatalogueImage> read_catalogue_images(const std::string& folder) {
+    std::vector<CatalogueImage> known;
     for (const auto& [name, path] : pictures_in(folder)) {
-        known.push_back({name, read_stored(path), {}});
+        known.push_back({name, read_encoded(path), {}});
         const fs::path variance = fs::path(folder) / (name + ".variance.hdr");
-        if (fs::exists(variance)) known.back().variance = read_stored(variance.string()).image;
+        if (fs::exists(variance)) known.back().variance = read_encoded(variance.string()).image;
     }
     return known;
 }
 
-} // namespace rt
+} // namespace rt::compare

@@ -3,4 +3,4 @@
 
 #include "tests/check.h"
 
-#include "common/prefix.h"
+#include "common/pch.h"

@@ -1,5 +1,5 @@
 // What rounding and clipping leave open, and comparing with that in mind.
-#include "tools/compare/stored.h"
+#include "tools/compare/encoded.h"
 
 #include "common/util/error.h"
 #include "common/util/file_bytes.h"
@@ -11,7 +11,7 @@
 #include <cctype>
 #include <cmath>
 
-namespace rt {
+namespace rt::compare {
 namespace {
 
 bool is_hdr(const std::string& path) {
@@ -50,8 +50,8 @@ void widen_png(float& low, float& high) {
     high = code > 254.5f ? infinity : decoded((code + 0.5f) / 255);
 }
 
-/// The same value where the spans overlap, else the ends that face each other.
-Pair facing(const Spans& test, const Spans& reference) {
+/// The same value where the intervals overlap, else the ends that face each other.
+Pair facing(const Intervals& test, const Intervals& reference) {
     check_same_size(test.low, reference.low);
     Pair pair{test.low, reference.low};
     for (std::size_t i = 0; i < pair.test.pixels.size(); ++i) {
@@ -72,32 +72,32 @@ vec3 srgb_decoded(vec3 srgb) {
     return {decoded(srgb.x), decoded(srgb.y), decoded(srgb.z)};
 }
 
-StoredImage read_stored(const std::string& path) {
-    if (is_hdr(path)) return {read_image(path), Storage::hdr, 3};
-    StoredImage stored{read_image(path), Storage::png, 3};
-    stored.channels = channels_of(path);
-    return stored;
+EncodedImage read_encoded(const std::string& path) {
+    if (is_hdr(path)) return {read_image(path), Encoding::hdr, 3};
+    EncodedImage encoded{read_image(path), Encoding::png, 3};
+    encoded.channels = channels_of(path);
+    return encoded;
 }
 
-Spans spans_of(const StoredImage& stored) {
-    Spans spans{stored.image, stored.image};
-    for (std::size_t i = 0; i < spans.low.pixels.size(); ++i) {
-        vec3 &low = spans.low.pixels[i], &high = spans.high.pixels[i];
-        if (stored.storage == Storage::hdr) widen_hdr(low, high);
-        if (stored.storage == Storage::png)
+Intervals intervals_of(const EncodedImage& encoded) {
+    Intervals intervals{encoded.image, encoded.image};
+    for (std::size_t i = 0; i < intervals.low.pixels.size(); ++i) {
+        vec3 &low = intervals.low.pixels[i], &high = intervals.high.pixels[i];
+        if (encoded.encoding == Encoding::hdr) widen_hdr(low, high);
+        if (encoded.encoding == Encoding::png)
             for (int channel = 0; channel < 3; ++channel) widen_png(low[channel], high[channel]);
     }
-    return spans;
+    return intervals;
 }
 
-Difference gap(const Spans& test, const Spans& reference) {
+Difference interval_distance(const Intervals& test, const Intervals& reference) {
     const Pair pair = facing(test, reference);
-    return difference(pair.test, pair.reference);
+    return compare_pixels(pair.test, pair.reference);
 }
 
-Pair comparable(const StoredImage& test, const StoredImage& reference) {
-    if (test.storage == reference.storage) return {test.image, reference.image};
-    return facing(spans_of(test), spans_of(reference));
+Pair comparable(const EncodedImage& test, const EncodedImage& reference) {
+    if (test.encoding == reference.encoding) return {test.image, reference.image};
+    return facing(intervals_of(test), intervals_of(reference));
 }
 
-} // namespace rt
+} // namespace rt::compare

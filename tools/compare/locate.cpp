@@ -1,12 +1,12 @@
 // Sums up what differs: in which part of the picture, in which direction, and by how much.
-#include "tools/compare/where.h"
+#include "tools/compare/locate.h"
 
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <vector>
 
-namespace rt {
+namespace rt::compare {
 namespace {
 
 /// All that differs, in one place or many.
@@ -63,7 +63,7 @@ std::string colour_in_words(vec3 test, vec3 reference) {
 
 std::string how(const Sum& sum) {
     const double test = double(luminance(sum.test)), reference = double(luminance(sum.reference));
-    const vec3 moved = absolute(sum.test - sum.reference);
+    const vec3 moved = abs(sum.test - sum.reference);
     if (sum.brighter + sum.darker == 0 && moved == vec3(0.0f)) return "not a number";
     const double colour = double(std::max({moved.x, moved.y, moved.z}));
     if (std::max(sum.brighter, sum.darker) < 0.1 * colour) return colour_in_words(sum.test, sum.reference);
@@ -76,8 +76,8 @@ std::string how(const Sum& sum) {
     return colour_in_words(sum.test, sum.reference);
 }
 
-Where summed_up(const Sum& sum, std::size_t count, const Image& image) {
-    Where result;
+Location summed_up(const Sum& sum, std::size_t count, const Image& image) {
+    Location result;
     if (sum.pixels == 0) return result;
     middle_of(sum.columns, result.box.x0, result.box.x1);
     middle_of(sum.rows, result.box.y0, result.box.y1);
@@ -113,7 +113,7 @@ std::string place_in_words(const Region& box, int width, int height) {
     return std::string("in the ") + (y < 0 ? "upper " : "lower ") + side;
 }
 
-Where where(const Image& test, const Image& reference) {
+Location locate_difference(const Image& test, const Image& reference) {
     check_same_size(test, reference);
     Sum sum(test.width, test.height);
     for (int y = 0; y < test.height; ++y)
@@ -122,12 +122,12 @@ Where where(const Image& test, const Image& reference) {
     return summed_up(sum, test.pixels.size(), test);
 }
 
-Where where(const TileDifference& tiles, const Image& test, const Image& reference) {
+Location locate_difference(const TileDifference& tiles, const Image& test, const Image& reference) {
     Sum sum(test.width, test.height);
     for (int y = 0; y < test.height; ++y)
         for (int x = 0; x < test.width; ++x) {
             const int tile = y / tile_side * tiles.columns + x / tile_side;
-            if (std::abs(tiles.marks[std::size_t(tile)].z) > limits.alarm_z)
+            if (std::abs(tiles.scores[std::size_t(tile)].z) > limits.outlier_z)
                 sum.add(x, y, test(x, y), reference(x, y));
         }
     return summed_up(sum, test.pixels.size(), test);
@@ -144,4 +144,4 @@ NotANumber not_a_number(const Image& test, const Image& reference) {
     return found;
 }
 
-} // namespace rt
+} // namespace rt::compare

@@ -1,4 +1,4 @@
-// Two questions to two pictures: are they the same, and are they the same up to noise?
+// The difference of two pictures, by pixels and by tiles: are they the same, or the same up to noise?
 #pragma once
 
 #include "tools/compare/limits.h"
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace rt {
+namespace rt::compare {
 
 /// How far `test` lies from `reference`, pixel by pixel.
 struct Difference {
@@ -23,7 +23,7 @@ struct Difference {
 
 /// Eight by eight pixels.
 inline constexpr int tile_side = 8;
-struct TileMark {
+struct TileScore {
     double z = 0;                   ///< positive where `test` is too bright
     double test = 0, reference = 0; ///< mean luminance
 };
@@ -33,16 +33,16 @@ struct TileMark {
 /// other picture's times the median ratio of the two.
 struct TileDifference {
     int tiles = 0;
-    int alarms = 0;       ///< |z| > limits.alarm_z
+    int outliers = 0;     ///< |z| > limits.outlier_z
     double largest_z = 0; ///< the z of largest size, with its sign: positive where `test` is too bright
     int x = 0, y = 0;     ///< its top left pixel
     double test = 0, reference = 0; ///< mean luminance of that tile
     int columns = 0;                ///< tiles in a row
-    std::vector<TileMark> marks;    ///< of every tile, row by row from the top left
+    std::vector<TileScore> scores;  ///< of every tile, row by row from the top left
 };
 
 /// One line for a person, and the answer for a program.
-struct Verdict {
+struct Conclusion {
     bool same = false;
     std::string words;
 };
@@ -55,21 +55,21 @@ bool agrees(vec3 test, vec3 reference);
 
 /// Both throw Error if the sizes differ. A variance picture holds, in its red channel, the variance of each
 /// pixel's mean luminance, as Film::variance does.
-Difference difference(const Image& test, const Image& reference);
-TileDifference tile_difference(const Image& test, const Image& reference, const Image& test_variance,
-                               const Image& reference_variance);
+Difference compare_pixels(const Image& test, const Image& reference);
+TileDifference compare_tiles(const Image& test, const Image& reference, const Image& test_variance,
+                             const Image& reference_variance);
 
 /// Of the difference over all channels; not a number if one of the pictures holds such. Throws Error if the
 /// sizes differ.
 double root_mean_square(const Image& test, const Image& reference);
 
-/// Alarms that are no reason to call a picture of this many tiles different.
-int allowed_alarms(int tiles);
+/// Outliers that are no reason to call a picture of this many tiles different.
+int allowed_outliers(int tiles);
 
 /// "brighter by 12 %", "darker by a factor of 3.14", "as bright but of another colour".
 std::string change_in_words(double test, double reference);
 
-Verdict verdict(const Difference& difference);
-Verdict verdict(const TileDifference& difference);
+Conclusion conclude(const Difference& difference);
+Conclusion conclude(const TileDifference& difference);
 
-} // namespace rt
+} // namespace rt::compare

@@ -19,6 +19,6 @@ std::string printable_lines(std::string_view text);
 void print_error_line(std::string_view line);
 
 /// Prints "program: message" by print_error_line. Returns the exit code of a refusal, 2.
-int complain(const std::string& program, const std::string& message);
+int report_error(const std::string& program, const std::string& message);
 
 } // namespace rt

@@ -1,5 +1,5 @@
 // Facts about what may reach a terminal: text of every language, and nothing that the terminal would obey.
-#include "common/util/complain.h"
+#include "common/util/report_error.h"
 
 #include "common/util/utf8.h"
 

@@ -1,28 +1,28 @@
 // Where do two pictures differ, and how: "too bright by 12 % in the lower left".
 #pragma once
 
-#include "tools/compare/compare.h"
+#include "tools/compare/difference.h"
 
 #include <optional>
 #include <string>
 
-namespace rt {
+namespace rt::compare {
 
 /// A part of the picture: columns x0 <= x < x1 and rows y0 <= y < y1.
 struct Region {
     int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 };
 
-struct Where {
+struct Location {
     std::string words; ///< empty if nothing differs
     Region box;        ///< round nine tenths of what differs
     double share = 0;  ///< of the picture's pixels, or of its tiles
 };
 
 /// Pixels whose channels differ by more than the tolerance.
-Where where(const Image& test, const Image& reference);
+Location locate_difference(const Image& test, const Image& reference);
 /// Tiles that differ by more than noise explains.
-Where where(const TileDifference& tiles, const Image& test, const Image& reference);
+Location locate_difference(const TileDifference& tiles, const Image& test, const Image& reference);
 
 /// "in the lower left", "on the right", "at the top", "in the middle", "all over the picture".
 std::string place_in_words(const Region& box, int width, int height);
@@ -34,4 +34,4 @@ struct NotANumber {
 };
 NotANumber not_a_number(const Image& test, const Image& reference);
 
-} // namespace rt
+} // namespace rt::compare

@@ -6,10 +6,10 @@
 
 namespace rt {
 
-enum class PictureKind { png, jpeg, tga, bmp, hdr, unknown };
+enum class ImageKind { png, jpeg, tga, bmp, hdr, unknown };
 
 /// By the first bytes, whatever the name says; a .tga file is known by its name alone.
-PictureKind picture_kind(const std::string& path, std::string_view bytes);
+ImageKind image_kind_of(const std::string& path, std::string_view bytes);
 
 /// What stb_image 2.27 to 2.30 reads from a PNG without fault: palettes filled up to 256 colours (with
 /// black: a pixel may name one that is not there, and stb would show what lay in memory), no chunk of data

@@ -2,48 +2,48 @@
 // be any brighter.
 #pragma once
 
-#include "tools/compare/compare.h"
+#include "tools/compare/difference.h"
 #include "common/image/image.h"
 
 #include <string>
 
-namespace rt {
+namespace rt::compare {
 
-enum class Storage {
+enum class Encoding {
     floats, ///< in memory: exact
     hdr,    ///< 8 bits of the largest channel
     png     ///< 8 bits of the sRGB curve, cut off at white
 };
 
-struct StoredImage {
+struct EncodedImage {
     Image image;
-    Storage storage = Storage::floats;
+    Encoding encoding = Encoding::floats;
     int channels = 3; ///< in the file, 1 to 4
 };
 
 /// Throws Error with the path and the reason.
-StoredImage read_stored(const std::string& path);
+EncodedImage read_encoded(const std::string& path);
 
 /// What each value may have been before it was stored.
-struct Spans {
+struct Intervals {
     Image low, high;
 };
-Spans spans_of(const StoredImage& stored);
+Intervals intervals_of(const EncodedImage& encoded);
 
-/// Two pictures that difference() can compare.
+/// Two pictures that compare_pixels() can compare.
 struct Pair {
     Image test, reference;
 };
 
 /// As they are where both are stored alike, so that equal pictures have equal values; else the values in both
-/// spans that are nearest to each other.
-Pair comparable(const StoredImage& test, const StoredImage& reference);
+/// intervals that are nearest to each other.
+Pair comparable(const EncodedImage& test, const EncodedImage& reference);
 
-/// As difference(), of the gaps between the spans: where they overlap, the pictures agree.
-Difference gap(const Spans& test, const Spans& reference);
+/// As compare_pixels(), of the gaps between the intervals: where they overlap, the pictures agree.
+Difference interval_distance(const Intervals& test, const Intervals& reference);
 
 /// Both ways of the sRGB curve for all of a colour, without an end at 1.
 vec3 srgb_encoded(vec3 linear);
 vec3 srgb_decoded(vec3 srgb);
 
-} // namespace rt
+} // namespace rt::compare

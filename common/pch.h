@@ -11,7 +11,7 @@
 #include "common/util/paths.h"
 #include "common/math/random.h"
 #include "common/render/render.h"
-#include "common/util/tally.h"
+#include "common/util/ray_stats.h"
 #include "common/math/vec.h"
 
 #include <algorithm>

@@ -5,12 +5,12 @@
 
 namespace rt {
 
-struct Tally {
-    std::uint64_t rays = 0;           ///< questions put to a scene: nearest hit or occluded
+struct RayStats {
+    std::uint64_t rays = 0;           ///< scene queries (`intersect` or `occluded`)
     std::uint64_t box_tests = 0;      ///< boxes tested on the way through a hierarchy
     std::uint64_t triangle_tests = 0; ///< triangles tested
 
-    Tally& operator+=(const Tally& other) {
+    RayStats& operator+=(const RayStats& other) {
         rays += other.rays;
         box_tests += other.box_tests;
         triangle_tests += other.triangle_tests;
@@ -18,6 +18,6 @@ struct Tally {
     }
 };
 
-inline thread_local Tally tally;
+inline thread_local RayStats ray_stats;
 
 } // namespace rt

@@ -1,5 +1,5 @@
 // Each line is written whole, even where other threads print as well.
-#include "common/util/complain.h"
+#include "common/util/report_error.h"
 
 #include "common/util/utf8.h"
 
@@ -54,7 +54,7 @@ void print_error_line(std::string_view line) {
     std::cerr << printable(line) + "\n" << std::flush;
 }
 
-int complain(const std::string& program, const std::string& message) {
+int report_error(const std::string& program, const std::string& message) {
     print_error_line(program + ": " + message);
     return 2;
 }

@@ -1,5 +1,5 @@
 // What kind of picture a file holds. stb_image trusts what a file says of itself: here it is checked.
-#include "common/image/picture_kind.h"
+#include "common/image/image_kind.h"
 
 #include "common/util/error.h"
 
@@ -67,12 +67,12 @@ std::string full_palette(std::string_view chunk) {
 
 } // namespace
 
-PictureKind picture_kind(const std::string& path, std::string_view bytes) {
-    if (begins_with(bytes, png_magic)) return PictureKind::png;
-    if (begins_with(bytes, "\xff\xd8\xff")) return PictureKind::jpeg;
-    if (begins_with(bytes, "BM")) return PictureKind::bmp;
-    if (begins_with(bytes, "#?")) return PictureKind::hdr;
-    return has_tga_ending(path) ? PictureKind::tga : PictureKind::unknown;
+ImageKind image_kind_of(const std::string& path, std::string_view bytes) {
+    if (begins_with(bytes, png_magic)) return ImageKind::png;
+    if (begins_with(bytes, "\xff\xd8\xff")) return ImageKind::jpeg;
+    if (begins_with(bytes, "BM")) return ImageKind::bmp;
+    if (begins_with(bytes, "#?")) return ImageKind::hdr;
+    return has_tga_ending(path) ? ImageKind::tga : ImageKind::unknown;
 }
 
 std::string mended_png(std::string_view bytes) {

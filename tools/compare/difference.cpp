@@ -1,5 +1,5 @@
-// Two questions to two pictures: are they the same, and are they the same up to noise?
-#include "tools/compare/compare.h"
+// The difference of two pictures, by pixels and by tiles: are they the same, or the same up to noise?
+#include "tools/compare/difference.h"
 
 #include "common/util/error.h"
 
@@ -9,7 +9,7 @@
 #include <sstream>
 #include <vector>
 
-namespace rt {
+namespace rt::compare {
 namespace {
 
 std::string size_of(const Image& image) {
@@ -123,11 +123,11 @@ double root_mean_square(const Image& test, const Image& reference) {
     return test.pixels.empty() ? 0 : std::sqrt(sum / (3 * double(test.pixels.size())));
 }
 
-int allowed_alarms(int tiles) {
-    return std::max(1, int(limits.most_alarms * tiles));
+int allowed_outliers(int tiles) {
+    return std::max(1, int(limits.max_outlier_share * tiles));
 }
 
-Difference difference(const Image& test, const Image& reference) {
+Difference compare_pixels(const Image& test, const Image& reference) {
     check_same_size(test, reference);
     Difference result;
     result.pixels = test.pixels.size();
@@ -151,8 +151,8 @@ Difference difference(const Image& test, const Image& reference) {
     return result;
 }
 
-TileDifference tile_difference(const Image& test, const Image& reference, const Image& test_variance,
-                               const Image& reference_variance) {
+TileDifference compare_tiles(const Image& test, const Image& reference, const Image& test_variance,
+                             const Image& reference_variance) {
     check_same_size(test, reference);
     check_same_size(test, test_variance);
     check_same_size(test, reference_variance);
@@ -166,8 +166,8 @@ TileDifference tile_difference(const Image& test, const Image& reference, const 
     for (const Tile& tile : tiles) {
         const double z = tile.z(ratio);
         const int index = result.tiles++;
-        result.marks.push_back({z, tile.test / tile.pixels, tile.reference / tile.pixels});
-        if (std::abs(z) > limits.alarm_z) ++result.alarms;
+        result.scores.push_back({z, tile.test / tile.pixels, tile.reference / tile.pixels});
+        if (std::abs(z) > limits.outlier_z) ++result.outliers;
         if (std::abs(z) <= std::abs(result.largest_z)) continue;
         result.largest_z = z;
         result.x = index % result.columns * tile_side;
@@ -178,9 +178,10 @@ TileDifference tile_difference(const Image& test, const Image& reference, const 
     return result;
 }
 
-Verdict verdict(const Difference& d) {
+Conclusion conclude(const Difference& d) {
     const double within = d.pixels > 0 ? 1 - double(d.differing) / double(d.pixels) : 1;
-    const bool same = within >= limits.least_within && d.mean <= limits.largest_mean; // false for NaN
+    const bool same =
+        within >= limits.min_share_within && d.mean <= limits.max_mean_difference; // false for NaN
     std::ostringstream words;
     words.precision(3);
     if (same) {
@@ -195,20 +196,20 @@ Verdict verdict(const Difference& d) {
     return {same, words.str()};
 }
 
-Verdict verdict(const TileDifference& d) {
-    const int allowed = allowed_alarms(d.tiles);
-    const bool same = d.alarms <= allowed && std::abs(d.largest_z) <= limits.never_z;
+Conclusion conclude(const TileDifference& d) {
+    const int allowed = allowed_outliers(d.tiles);
+    const bool same = d.outliers <= allowed && std::abs(d.largest_z) <= limits.max_z;
     std::ostringstream words;
     words.precision(3);
     if (same) {
         words << "same picture up to noise (" << d.tiles << " tiles, largest z " << d.largest_z << ")";
     } else {
-        words << "different: " << d.alarms << " of " << d.tiles
+        words << "different: " << d.outliers << " of " << d.tiles
               << " tiles differ by more than noise explains (at most " << allowed << ", and none beyond z "
-              << limits.never_z << "), largest z " << d.largest_z << " at " << d.x << "," << d.y << ", "
+              << limits.max_z << "), largest z " << d.largest_z << " at " << d.x << "," << d.y << ", "
               << change_in_words(d.test, d.reference) << " there";
     }
     return {same, words.str()};
 }
 
-} // namespace rt
+} // namespace rt::compare
