@@ -59,6 +59,7 @@ function(add_parts)
 endfunction()
 
 function(use_steps target)
+    target_link_libraries(${target} PRIVATE raysteps::accel)
     target_include_directories(${target} BEFORE PRIVATE ${PROJECT_SOURCE_DIR}/workshop ${PROJECT_SOURCE_DIR}/steps)
     get_target_property(sources ${target} SOURCES)
     list(FILTER sources EXCLUDE REGEX "<") # objects

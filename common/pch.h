@@ -1,7 +1,7 @@
 // What most programs and checks include and no learner changes: parsed once for all of them.
 #pragma once
 
-#include "common/util/big_vector.h"
+#include "common/util/huge_page_vector.h"
 #include "common/util/error.h"
 #include "common/image/image_file.h"
 #include "common/util/match.h"
@@ -11,7 +11,6 @@
 #include "common/util/paths.h"
 #include "common/math/random.h"
 #include "common/render/render.h"
-#include "common/math/row.h"
 #include "common/util/ray_stats.h"
 #include "common/math/vec.h"
 

@@ -4,7 +4,7 @@
 set -u
 
 project=$(cd "$(dirname "$0")/.." && pwd)
-rooms="common steps assets tests tools"
+rooms="common accel steps assets tests tools"
 
 # Prints the include lines of the files found in $1 as "file:line:<header>" or "file:line:"header"".
 includes() {
@@ -17,17 +17,22 @@ report() { # $1: the rule; stdin: the lines that break it
     sed "s|^|$1: |"
 }
 
-# 1: a step includes common, itself and earlier steps.
+# 1: a step includes common, accel, itself and earlier steps.
 guard_order() {
     includes steps | awk -F'"' '
-        NF < 3 || $2 ~ /^common\// { next }
+        NF < 3 || $2 ~ /^(common|accel)\// { next }
         $2 ~ /^[0-9][0-9]_[^\/]*\// && substr($2, 1, 2) <= substr($1, 7, 2) { next } # $1 is steps/03_mirror/...
-        { print }' | report "a step includes only common, itself and earlier steps"
+        { print }' | report "a step includes only common, accel, itself and earlier steps"
 }
 
 # 2: common includes common.
 guard_common() {
     includes common | grep '"' | grep -v ':"common/' | report "common includes nothing but common"
+}
+
+# 2a: accel includes common and accel.
+guard_accel() {
+    includes accel | grep '"' | grep -vE ':"(common|accel)/' | report "accel includes nothing but common and accel"
 }
 
 # 2b: no two rooms of common include each other: each includes only rooms to its left.
@@ -62,7 +67,7 @@ guard_rooted() {
     local room
     for room in $rooms; do
         includes "$room"
-    done | grep '"' | grep -vE ':"([0-9][0-9]_[a-z_]+|common|assets|tests|tools)/[^"]*"$' |
+    done | grep '"' | grep -vE ':"([0-9][0-9]_[a-z_]+|common|accel|assets|tests|tools)/[^"]*"$' |
         report "an include names its folder, as in \"03_mirror/mirror.h\""
     for room in $rooms; do
         includes "$room"
@@ -86,7 +91,7 @@ guard_opening() {
 # 6: nothing reaches a terminal but through common/util/report_error.h.
 guard_printable() {
     local program
-    for program in common assets tools; do
+    for program in common accel assets tools; do
         [ -d "$program" ] && grep -rnE --include='*.h' --include='*.cpp' \
             'std::cerr|std::clog|std::fputs|fprintf *\( *stderr|"wrote "' "$program"
     done | grep -v -e '^common/util/report_error.cpp:' -e 'printable(' |
@@ -96,7 +101,7 @@ guard_printable() {
 check() { # $1: the folder
     cd "$1" || exit 2
     local found
-    found=$(guard_order; guard_common; guard_rooms; guard_lessons; guard_pure; guard_rooted; guard_opening; guard_printable)
+    found=$(guard_order; guard_common; guard_accel; guard_rooms; guard_lessons; guard_pure; guard_rooted; guard_opening; guard_printable)
     [ -z "$found" ] && return 0
     printf '%s\n' "$found"
     return 1
@@ -124,20 +129,24 @@ self_test() {
     missed=0
     local ok='// A planted file.\n#pragma once\n' header
     # A blameless file in each room is not reported, so that what is planted next is the only violation.
-    mkdir -p "$copy/steps/03_mirror" "$copy/common" "$copy/tests" "$copy/assets" "$copy/tools"
-    printf '%b' "$ok#include \"01_spheres/ray.h\"\n#include \"03_mirror/b.h\"\n#include \"common/math/vec.h\"\n#include <cmath>\n#include <glm/glm.hpp>\n" \
+    mkdir -p "$copy/steps/03_mirror" "$copy/common" "$copy/accel" "$copy/tests" "$copy/assets" "$copy/tools"
+    printf '%b' "$ok#include \"01_spheres/ray.h\"\n#include \"03_mirror/b.h\"\n#include \"common/math/vec.h\"\n#include \"accel/a.h\"\n#include <cmath>\n#include <glm/glm.hpp>\n" \
         >"$copy/steps/03_mirror/a.h"
     printf '%b' "$ok#include \"common/math/vec.h\"\n#include <thread>\n" >"$copy/common/a.h"
+    printf '%b' "$ok#include \"common/math/vec.h\"\n#include <immintrin.h>\n" >"$copy/accel/a.h"
     printf '%b' "$ok#include \"03_mirror/a.h\"\n#include <doctest/doctest.h>\n" >"$copy/tests/a.h"
     local blameless
     blameless=$(check "$copy") || { echo "WRONGLY REPORTED: $blameless"; missed=1; }
 
-    local order="a step includes only common"
+    local order="a step includes only common, accel"
     plant "$order" steps/03_mirror/later.h "$ok#include \"04_refraction/dielectric.h\"\n"
     plant "$order" steps/03_mirror/main.cpp "// A planted file.\n  #  include \"08_indirect/hemisphere.h\"\n"
     plant "$order" steps/03_mirror/other.h "$ok#include \"assets/mesh.h\"\n"
     plant "common includes nothing but common" common/step.h "$ok#include \"01_spheres/ray.h\"\n"
     plant "common includes nothing but common" common/image/tests.cpp "// A planted file.\n#include \"tests/check.h\"\n"
+    plant "common includes nothing but common" common/math/tree.h "$ok#include \"accel/accel.h\"\n"
+    plant "accel includes nothing but common and accel" accel/step.h "$ok#include \"01_spheres/ray.h\"\n"
+    plant "accel includes nothing but common and accel" accel/mesh.cpp "// A planted file.\n#include \"assets/mesh.h\"\n"
     plant "a room of common includes only" common/render/option.h "$ok#include \"common/cli/options.h\"\n"
     plant "a room of common includes only" common/util/up.h "$ok#include \"common/image/image.h\"\n"
     plant "a lesson header includes no program/" steps/03_mirror/cli.h "$ok#include \"common/cli/options.h\"\n"
@@ -152,6 +161,8 @@ self_test() {
     plant "an include names its folder" tests/bare.cpp "// A planted file.\n#include \"check.h\"\n"
     plant "an include names its folder" common/steps.h "$ok#include \"steps/03_mirror/mirror.h\"\n"
     plant "no .. in it" tools/up.cpp "// A planted file.\n#include \"common/../common/math/vec.h\"\n"
+    plant "an include names its folder" accel/bare.h "$ok#include \"simd.h\"\n"
+    plant "says #pragma once" accel/twice.h "// A planted file.\nint x;\n"
     plant "first line says what it is for" assets/silent.cpp "#include <cmath>\n"
     plant "first line says what it is for" common/empty.cpp ""
     plant "says #pragma once" common/twice.h "// A planted file.\nint x;\n"

@@ -2,7 +2,7 @@
 
 #include "common/cli/program.h"
 
-#include "common/util/big_vector.h"
+#include "common/util/huge_page_vector.h"
 #include "common/util/report_error.h"
 #include "common/util/error.h"
 #include "common/util/file_bytes.h"
@@ -273,7 +273,8 @@ int run(const Options& options, const std::function<void(const RenderFunction&)>
     const Outputs outputs = checked_outputs(options);
     print(settings, summary(settings));
     if (!overridden_headers.empty()) print(settings, "using your " + printable(overridden_headers) + "\n");
-    BigVector<char> spare; // what the writing will need: better refused now than when the picture is finished
+    HugePageVector<char>
+        spare; // what the writing will need: better refused now than when the picture is finished
     spare.reserve(memory_to_write(settings.crop.x1 - settings.crop.x0, settings.crop.y1 - settings.crop.y0));
     std::optional<Film> film;
     double render_seconds = 0;
@@ -287,7 +288,7 @@ int run(const Options& options, const std::function<void(const RenderFunction&)>
     warn_of_invalid_samples(options.name(), *film);
     print(settings, cost(film->ray_stats, render_seconds));
     handler.writing_begins();
-    spare = BigVector<char>();
+    spare = HugePageVector<char>();
     return write_outputs(options.name(), outputs, *film);
 }
 
@@ -301,7 +302,7 @@ int run_program(Options& options, int argc, const char* const* argv,
     try {
         int code = 0;
         if (options.parse(argc, argv)) {
-            use_threads(options.settings().threads);
+            set_thread_count(options.settings().threads);
             code = run(options, body, overridden_headers, handler);
         }
         if (!std::cout.flush())

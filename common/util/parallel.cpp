@@ -1,5 +1,5 @@
-// Workers that wait until there is something to do: to start a thread takes a tenth of a millisecond, and in
-// that time a tree of a thousand triangles is built.
+// A pool of threads that wait for work: to start a thread takes a tenth of a millisecond, and in that time a
+// tree of a thousand triangles is built.
 #include "common/util/parallel.h"
 
 #include "common/util/cores.h"
@@ -17,7 +17,7 @@
 namespace rt {
 namespace {
 
-/// The second half of a both(). It lives there, until it is done.
+/// The second function of a parallel_invoke(), which owns it until it is done.
 struct Task {
     const std::function<void()>& work;
     std::exception_ptr failure = nullptr;
@@ -26,11 +26,11 @@ struct Task {
 
 class Pool {
   public:
-    ~Pool() { allow(1); }
+    ~Pool() { resize(1); }
 
-    /// Ends all workers if there are not to be one fewer than `threads`, which the next both() starts.
-    void allow(int threads) {
-        if (allowed == threads - 1) return;
+    /// Ends all workers if their number changes; the next invoke() starts new ones, one fewer than `threads`.
+    void resize(int threads) {
+        if (max_workers == threads - 1) return;
         {
             const std::lock_guard lock(mutex);
             ending = true;
@@ -40,15 +40,15 @@ class Pool {
         for (std::thread& worker : workers) worker.join();
         workers.clear();
         ending = false;
-        allowed = threads - 1;
+        max_workers = threads - 1;
     }
 
-    bool alone() const { return allowed == 0; }
+    bool is_serial() const { return max_workers == 0; }
 
-    /// Whoever waits for a task does others in the meantime, first of all the one it waits for.
-    void both(const std::function<void()>& first, const std::function<void()>& second) {
+    /// A thread that waits for its task runs others in the meantime, its own one first.
+    void invoke(const std::function<void()>& first, const std::function<void()>& second) {
         Task task{second};
-        offer(task);
+        submit(task);
         std::exception_ptr failure;
         try {
             first();
@@ -57,11 +57,11 @@ class Pool {
         }
         std::unique_lock lock(mutex);
         while (!task.done) {
-            if (offered.empty()) {
+            if (queue.empty()) {
                 wait(lock);
             } else {
-                Task& newest = *offered.back();
-                offered.pop_back();
+                Task& newest = *queue.back();
+                queue.pop_back();
                 finish(newest, lock);
             }
         }
@@ -71,45 +71,45 @@ class Pool {
 
   private:
     std::mutex mutex;
-    std::condition_variable changed; ///< there is a new task, or one is done, or the workers are to end
+    std::condition_variable changed; ///< a task was submitted or is done, or the workers are to end
     std::atomic<unsigned> changes = 0;
-    std::deque<Task*> offered; ///< and not yet begun
+    std::deque<Task*> queue; ///< submitted and not yet begun
     std::vector<std::thread> workers;
-    std::atomic<int> allowed = usable_cores() - 1;
+    std::atomic<int> max_workers = usable_cores() - 1;
     bool ending = false;
 
-    void offer(Task& task) {
+    void submit(Task& task) {
         {
             const std::lock_guard lock(mutex);
             start_workers();
-            offered.push_back(&task);
+            queue.push_back(&task);
             ++changes;
         }
         changed.notify_one();
     }
 
-    /// Where the system gives fewer threads than allowed, these do it all.
+    /// If the system gives fewer threads, these do all of the work.
     void start_workers() {
         try {
-            while (int(workers.size()) < allowed) workers.emplace_back([this] { work(); });
+            while (int(workers.size()) < max_workers) workers.emplace_back([this] { work(); });
         } catch (const std::system_error&) {
-            allowed = int(workers.size());
+            max_workers = int(workers.size());
         }
     }
 
-    /// The oldest task is the largest one, as a rule.
+    /// The oldest task is usually the largest one.
     void work() {
         std::unique_lock lock(mutex);
         while (true) {
-            while (!ending && offered.empty()) wait(lock);
+            while (!ending && queue.empty()) wait(lock);
             if (ending) return;
-            Task& oldest = *offered.front();
-            offered.pop_front();
+            Task& oldest = *queue.front();
+            queue.pop_front();
             finish(oldest, lock);
         }
     }
 
-    /// Waits for a change, for a while awake: to wake up takes as long as many a task.
+    /// Spins briefly before blocking: waking a thread takes longer than most tasks.
     void wait(std::unique_lock<std::mutex>& lock) {
         const unsigned seen = changes;
         lock.unlock();
@@ -118,7 +118,7 @@ class Pool {
         if (changes == seen) changed.wait(lock);
     }
 
-    /// Does the task, and everything around it under the lock.
+    /// Runs the task without the lock, and marks it as done with it.
     void finish(Task& task, std::unique_lock<std::mutex>& lock) {
         lock.unlock();
         try {
@@ -137,22 +137,22 @@ Pool pool;
 
 } // namespace
 
-void use_threads(int count) {
-    pool.allow(count > 0 ? count : usable_cores());
+void set_thread_count(int count) {
+    pool.resize(count > 0 ? count : usable_cores());
 }
 
-void both(const std::function<void()>& first, const std::function<void()>& second) {
-    if (!pool.alone()) return pool.both(first, second);
+void parallel_invoke(const std::function<void()>& first, const std::function<void()>& second) {
+    if (!pool.is_serial()) return pool.invoke(first, second);
     first();
     second();
 }
 
-void in_ranges(std::size_t count, std::size_t least,
-               const std::function<void(std::size_t begin, std::size_t end)>& work) {
+void parallel_for(std::size_t count, std::size_t grain_size,
+                  const std::function<void(std::size_t begin, std::size_t end)>& work) {
     const std::function<void(std::size_t, std::size_t)> halve = [&](std::size_t begin, std::size_t end) {
-        if (end - begin < 2 * least || pool.alone()) return work(begin, end);
+        if (end - begin < 2 * grain_size || pool.is_serial()) return work(begin, end);
         const std::size_t middle = begin + (end - begin) / 2;
-        both([&] { halve(begin, middle); }, [&] { halve(middle, end); });
+        parallel_invoke([&] { halve(begin, middle); }, [&] { halve(middle, end); });
     };
     if (count > 0) halve(0, count);
 }

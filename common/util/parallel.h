@@ -1,4 +1,4 @@
-// Work that may be done at the same time: the caller says what is independent, and never sees a thread.
+// Work in parallel: the caller says what is independent, and never sees a thread.
 #pragma once
 
 #include <cstddef>
@@ -6,17 +6,17 @@
 
 namespace rt {
 
-/// How many threads all of the calls below may use together, the calling one included; 0: usable_cores().
-/// Said once, before any work.
-void use_threads(int count);
+/// Sets the number of threads used by the functions below, including the caller; 0 = usable_cores(). Call
+/// once, before any work.
+void set_thread_count(int count);
 
-/// Does both, in any order or at the same time. Either may call both() again. What one of them throws is
-/// thrown here, when neither is at work; the other one may then never have begun.
-void both(const std::function<void()>& first, const std::function<void()>& second);
+/// Calls both functions, in any order or in parallel. Either may call parallel_invoke() again. An exception
+/// of one is rethrown here, when neither is running; the other one may then never have begun.
+void parallel_invoke(const std::function<void()>& first, const std::function<void()>& second);
 
-/// Cuts 0 to count - 1 into ranges of at least `least` numbers (which is 1 or more) and calls work(begin,
-/// end) for each, in any order or at the same time.
-void in_ranges(std::size_t count, std::size_t least,
-               const std::function<void(std::size_t begin, std::size_t end)>& work);
+/// Divides 0 to count - 1 into ranges of at least `grain_size` (1 or more) numbers and calls work(begin, end)
+/// for each, in any order or in parallel.
+void parallel_for(std::size_t count, std::size_t grain_size,
+                  const std::function<void(std::size_t begin, std::size_t end)>& work);
 
 } // namespace rt

@@ -48,6 +48,7 @@ int main(int argc, char** argv) {
         const auto [width, height] = std::pair(options.settings().width, options.settings().height);
         Scene scene;
         scene.accel = accel;
+        scene.count_tests = view == DebugView::traversal_cost;
         const bool has_model = !model.mesh.empty();
         const LookAt look_at = camera_options.look_at_or(
             has_model ? add_framed_model(scene, model, float(width) / float(height)) : tea_table(scene));

@@ -1,8 +1,5 @@
-// How the trees over the shapes are built. Compiled once for all programs: it takes the compiler long, and few want to
-// change it.
+// How the trees over the shapes are built. Compiled once for all programs, since few want to change it.
 #include "05_mesh_bvh/shapes.h"
-
-#include "05_mesh_bvh/wide_build.h"
 
 #include <array>
 #include <vector>
@@ -11,30 +8,31 @@ namespace rt {
 
 namespace {
 
-/// A quad as two triangles, so that the wide tree need not know it: `half` is 0 or 1.
-std::array<vec3, 3> quad_triangle(const Quad& quad, std::size_t half) {
-    const vec3 opposite = quad.corner + quad.edge_u + quad.edge_v;
-    if (half == 0) return {quad.corner, quad.corner + quad.edge_u, opposite};
-    return {quad.corner, opposite, quad.corner + quad.edge_v};
-}
+/// The quads as two triangles each, so that the wide tree need not know quads.
+struct QuadTriangles {
+    std::vector<vec3> vertices;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
 
-/// Triangle number i of the wide tree.
-std::array<vec3, 3> wide_vertices(const Shapes& shapes, std::uint32_t i) {
-    const std::size_t triangles = shapes.mesh.triangles.size();
-    if (i < triangles) return vertices(shapes.mesh, i);
-    return quad_triangle(shapes.quads[(i - triangles) / 2], (i - triangles) % 2);
-}
+    explicit QuadTriangles(const std::vector<Quad>& quads) {
+        for (const Quad& quad : quads) {
+            const auto first = std::uint32_t(vertices.size());
+            vertices.insert(vertices.end(),
+                            {quad.corner, quad.corner + quad.edge_u, quad.corner + quad.edge_u + quad.edge_v,
+                             quad.corner + quad.edge_v});
+            triangles.push_back({first, first + 1, first + 2});
+            triangles.push_back({first, first + 2, first + 3});
+        }
+    }
+};
 
 void build_wide_trees(Shapes& shapes) {
-    shapes.wide_spheres = build_wide_bvh<SphereBlock>(
-        shapes.spheres.size(), [&](std::uint32_t i) { return bounds(shapes.spheres[i]); },
-        [&](SphereBlock& block, int lane, std::uint32_t i) { put(block, lane, shapes.spheres[i], i); });
-    shapes.wide_triangles = build_wide_bvh<TriangleBlock>(
-        shapes.mesh.triangles.size() + 2 * shapes.quads.size(),
-        [&](std::uint32_t i) { return bounds(wide_vertices(shapes, i)); },
-        [&](TriangleBlock& block, int lane, std::uint32_t i) {
-            put(block, lane, wide_vertices(shapes, i), i);
-        });
+    std::vector<accel::Sphere> spheres;
+    for (const Sphere& sphere : shapes.spheres) spheres.push_back({sphere.center, sphere.radius});
+    shapes.wide_spheres = accel::build_sphere_bvh(spheres);
+    const QuadTriangles quads(shapes.quads);
+    shapes.wide_triangles = accel::build_triangle_bvh(
+        std::array{accel::TriangleMesh{shapes.mesh.positions, shapes.mesh.triangles},
+                   accel::TriangleMesh{quads.vertices, quads.triangles}});
 }
 
 void build_binary_trees(Shapes& shapes) {

@@ -7,7 +7,7 @@
 #include "03_mirror/quad.h"
 #include "05_mesh_bvh/bvh.h"
 #include "05_mesh_bvh/mesh.h"
-#include "05_mesh_bvh/wide_bvh.h"
+#include "accel/accel.h"
 #include "common/util/match.h"
 #include "common/util/ray_stats.h"
 
@@ -27,10 +27,11 @@ struct Shapes {
     std::vector<Quad> quads;
     Mesh mesh;
     Accel accel = Accel::wide;
-    Bvh sphere_bvh; ///< made by build_bvhs(), if `accel` asks for it, as are
+    bool count_tests = false; ///< of the wide trees too: it costs 2 to 3 % of the time
+    Bvh sphere_bvh;           ///< made by build_bvhs(), if `accel` asks for it, as are
     Bvh triangle_bvh;
-    WideBvh<SphereBlock> wide_spheres;
-    WideBvh<TriangleBlock> wide_triangles; ///< those of the mesh, and then the two halves of each quad
+    accel::SphereBvh wide_spheres;
+    accel::TriangleBvh wide_triangles; ///< those of the mesh, and then the two halves of each quad
 };
 
 /// Builds the trees that `accel` asks for. Call it once, when all shapes are in place. It stands in shapes.cpp, which
@@ -79,22 +80,29 @@ inline const Quad* quad_of(const Shapes& shapes, std::uint32_t i) {
     return i < triangles ? nullptr : &shapes.quads[(i - triangles) / 2];
 }
 
+/// Counts the tests of the wide trees as those of the others are.
+struct TallyCounters {
+    static void count_boxes(std::size_t count) { ray_stats.box_tests += count; }
+    static void count_primitives(std::size_t count) { ray_stats.triangle_tests += count; }
+};
+
 /// The same by the wide trees. They know which shapes the ray may meet; where it meets them is worked out in
 /// double, as above. So all ways give the same picture.
+template <typename Counters>
 inline void closest_hit_wide(const Shapes& shapes, Ray& ray, ClosestShape& closest) {
     const auto shorten = [&](float t, auto shape) {
         ray.t_max = t;
         closest = shape;
     };
-    nearest(shapes.wide_spheres, ray, [&](const SphereBlock& block, std::size_t lane) {
-        const Sphere& sphere = shapes.spheres[block.shape[lane]];
+    accel::closest_hit<Counters>(shapes.wide_spheres, ray, [&](const auto& block, std::size_t lane) {
+        const Sphere& sphere = shapes.spheres[block.primitive[lane]];
         if (const auto t = intersect(sphere, ray)) shorten(*t, &sphere);
     });
-    nearest(shapes.wide_triangles, ray, [&](const TriangleBlock& block, std::size_t lane) {
-        const std::uint32_t i = block.shape[lane];
+    accel::closest_hit<Counters>(shapes.wide_triangles, ray, [&](const auto& block, std::size_t lane) {
+        const std::uint32_t i = block.primitive[lane];
         if (const Quad* quad = quad_of(shapes, i)) {
             if (const float t = float(plane_t(*quad, ray)); contains(ray, t)) shorten(t, quad);
-        } else if (const auto hit = meeting(corners_at(block, lane), ray)) {
+        } else if (const auto hit = accel::exact_hit(primitive_at(block, lane), ray)) {
             shorten(hit->t, MeshHit{&shapes.mesh, i, hit->u, hit->v});
         }
     });
@@ -111,10 +119,12 @@ inline std::optional<Hit> intersect(const Shapes& shapes, Ray ray) {
             closest = &plane;
         }
     }
-    if (shapes.accel == Accel::wide)
-        closest_hit_wide(shapes, ray, closest);
-    else
+    if (shapes.accel != Accel::wide)
         closest_hit_binary(shapes, ray, closest);
+    else if (shapes.count_tests)
+        closest_hit_wide<TallyCounters>(shapes, ray, closest);
+    else
+        closest_hit_wide<accel::NoCounters>(shapes, ray, closest);
     return match(
         closest, [](std::monostate) { return std::optional<Hit>(); },
         [&](const auto* shape) { return std::optional(surface_hit(*shape, ray)); },
@@ -122,16 +132,18 @@ inline std::optional<Hit> intersect(const Shapes& shapes, Ray ray) {
 }
 
 /// The wide trees' part of occluded().
+template <typename Counters>
 inline bool occluded_wide(const Shapes& shapes, const Ray& ray) {
-    return any_hit(shapes.wide_triangles, ray,
-                   [&](const TriangleBlock& block, std::size_t lane) {
-                       const Quad* quad = quad_of(shapes, block.shape[lane]);
-                       return quad ? contains(ray, float(plane_t(*quad, ray)))
-                                   : meeting(corners_at(block, lane), ray).has_value();
-                   }) ||
-           any_hit(shapes.wide_spheres, ray, [&](const SphereBlock& block, std::size_t lane) {
-               return intersect(shapes.spheres[block.shape[lane]], ray).has_value();
-           });
+    const auto meets_triangle = [&](const auto& block, std::size_t lane) {
+        const Quad* quad = quad_of(shapes, block.primitive[lane]);
+        return quad ? contains(ray, float(plane_t(*quad, ray)))
+                    : accel::exact_hit(primitive_at(block, lane), ray).has_value();
+    };
+    const auto meets_sphere = [&](const auto& block, std::size_t lane) {
+        return intersect(shapes.spheres[block.primitive[lane]], ray).has_value();
+    };
+    return accel::any_hit<Counters>(shapes.wide_triangles, ray, meets_triangle) ||
+           accel::any_hit<Counters>(shapes.wide_spheres, ray, meets_sphere);
 }
 
 /// Whether anything at all stands in the ray's interval: the first shape that does ends the search.
@@ -140,7 +152,9 @@ inline bool occluded(const Shapes& shapes, const Ray& ray) {
     bool hit = false;
     const auto test = [&](const auto& shape) { return hit = intersect(shape, ray).has_value(); };
     if (std::ranges::any_of(shapes.planes, test)) return true;
-    if (shapes.accel == Accel::wide) return occluded_wide(shapes, ray);
+    if (shapes.accel == Accel::wide)
+        return shapes.count_tests ? occluded_wide<TallyCounters>(shapes, ray)
+                                  : occluded_wide<accel::NoCounters>(shapes, ray);
     if (std::ranges::any_of(shapes.quads, test)) return true;
     for_each_candidate(shapes.accel, shapes.sphere_bvh, shapes.spheres.size(), ray,
                        [&](std::uint32_t i) { return test(shapes.spheres[i]); });

@@ -66,6 +66,7 @@ int main(int argc, char** argv) {
         const auto [width, height] = std::pair(options.settings().width, options.settings().height);
         Scene scene;
         scene.accel = accel;
+        scene.count_tests = view == DebugView::traversal_cost;
         const LookAt look_at = camera_options.look_at_or(
             !model.mesh.empty() ? add_framed_model(scene, model, float(width) / float(height))
             : !spheres.empty()  ? weekend(scene, read_sphere_list(spheres))

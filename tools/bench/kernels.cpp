@@ -57,47 +57,47 @@ void triangle(benchmark::State& state) {
     repeat(state, [&](std::size_t i) { return intersect(a, b, c, rays[i]); });
 }
 
-/// A row at once: a node's boxes, a block of triangles, a block of spheres.
-void row_of_boxes(benchmark::State& state) {
+/// All lanes together: the boxes of a node, a block of triangles, a block of spheres.
+void node_of_boxes(benchmark::State& state) {
     const std::vector<Ray> rays = some_rays();
-    WideNode node{};
+    accel::WideNode node{};
     for (int axis = 0; axis < 3; ++axis)
-        for (int lane = 0; lane < lanes; ++lane) {
-            node.planes[axis][0][lane] = float(lane % 4) / 4 + (axis == 2 ? 1.0f : -0.5f);
-            node.planes[axis][1][lane] = node.planes[axis][0][lane] + 0.3f;
+        for (int lane = 0; lane < accel::simd_width; ++lane) {
+            node.bounds[axis][0][lane] = float(lane % 4) / 4 + (axis == 2 ? 1.0f : -0.5f);
+            node.bounds[axis][1][lane] = node.bounds[axis][0][lane] + 0.3f;
         }
-    std::vector<WideRay> wide;
-    for (const Ray& ray : rays) wide.push_back(wide_ray(ray));
+    std::vector<accel::WideRay> wide;
+    for (const Ray& ray : rays) wide.push_back(accel::wide_ray(ray));
     repeat(state, [&](std::size_t i) {
-        Row t;
-        return enter(node, wide[i], row(infinity), t);
+        accel::FloatN t;
+        return intersect_children(node, wide[i], accel::broadcast(infinity), t);
     });
 }
 
 template <typename Block>
-void row_of_shapes(benchmark::State& state, const Block& block) {
+void block_of(benchmark::State& state, const Block& block) {
     const std::vector<Ray> rays = some_rays();
-    std::vector<decltype(Block::prepare(rays[0]))> prepared;
-    for (const Ray& ray : rays) prepared.push_back(Block::prepare(ray));
+    std::vector<decltype(Block::make_ray(rays[0]))> prepared;
+    for (const Ray& ray : rays) prepared.push_back(Block::make_ray(ray));
     repeat(state, [&](std::size_t i) { return candidates(block, prepared[i], 0, infinity).maybe; });
 }
 
-void row_of_triangles(benchmark::State& state) {
-    TriangleBlock block{};
-    for (int lane = 0; lane < lanes; ++lane) {
+void block_of_triangles(benchmark::State& state) {
+    accel::TriangleN block{};
+    for (int lane = 0; lane < accel::simd_width; ++lane) {
         const float z = 1 + float(lane) / 8;
-        put(block, lane, {vec3(-1, -1, z), vec3(1, -1, z), vec3(0, 1, z)}, std::uint32_t(lane));
+        set_lane(block, lane, {vec3(-1, -1, z), vec3(1, -1, z), vec3(0, 1, z)}, std::uint32_t(lane));
     }
-    row_of_shapes(state, block);
+    block_of(state, block);
 }
 
-void row_of_spheres(benchmark::State& state) {
-    SphereBlock block{};
-    for (int lane = 0; lane < lanes; ++lane) {
+void block_of_spheres(benchmark::State& state) {
+    accel::SphereN block{};
+    for (int lane = 0; lane < accel::simd_width; ++lane) {
         const vec3 center(float(lane % 4) - 1.5f, float(lane / 4) - 1.5f, 2);
-        put(block, lane, Sphere{center, 0.5f, 0}, std::uint32_t(lane));
+        set_lane(block, lane, accel::Sphere{center, 0.5f}, std::uint32_t(lane));
     }
-    row_of_shapes(state, block);
+    block_of(state, block);
 }
 
 void sphere(benchmark::State& state) {
@@ -157,9 +157,9 @@ void flip_pictures(benchmark::State& state) {
 BENCHMARK(box)->Name("ray and box");
 BENCHMARK(triangle)->Name("ray and triangle");
 BENCHMARK(sphere)->Name("ray and sphere");
-BENCHMARK(row_of_boxes)->Name("ray and a row of boxes, a node");
-BENCHMARK(row_of_triangles)->Name("ray and a row of triangles, a block");
-BENCHMARK(row_of_spheres)->Name("ray and a row of spheres, a block");
+BENCHMARK(node_of_boxes)->Name("ray and the boxes of a node");
+BENCHMARK(block_of_triangles)->Name("ray and a block of triangles");
+BENCHMARK(block_of_spheres)->Name("ray and a block of spheres");
 BENCHMARK(random_number)->Name("random number");
 BENCHMARK(fresnel_term)->Name("Fresnel");
 BENCHMARK(texture)->Name("texture, bilinear");

@@ -3,8 +3,7 @@
 
 #include "05_mesh_bvh/mesh.h"
 #include "05_mesh_bvh/triangle.h"
-#include "05_mesh_bvh/wide_build.h"
-#include "05_mesh_bvh/wide_bvh.h"
+#include "accel/accel.h"
 #include "common/util/parallel.h"
 
 #include <cstdint>
@@ -20,30 +19,20 @@ struct Found {
     std::uint32_t primitive = nothing;
 };
 
-using Ours = WideBvh<TriangleBlock>;
+using Ours = accel::TriangleBvh;
 
 inline Ours build_ours(const Mesh& mesh, int threads) {
-    use_threads(threads);
-    return build_wide_bvh<TriangleBlock>(
-        mesh.triangles.size(), [&](std::uint32_t i) { return bounds(mesh, i); },
-        [&](TriangleBlock& block, int lane, std::uint32_t i) { put(block, lane, vertices(mesh, i), i); });
+    set_thread_count(threads);
+    return accel::build_triangle_bvh(accel::TriangleMesh{mesh.positions, mesh.triangles});
 }
 
-inline Found nearest(const Ours& ours, Ray ray) {
-    Found found;
-    rt::nearest(ours, ray, [&](const TriangleBlock& block, std::size_t lane) {
-        if (const auto hit = meeting(corners_at(block, lane), ray)) {
-            ray.t_max = hit->t;
-            found = {hit->t, hit->u, hit->v, block.shape[lane]};
-        }
-    });
-    return found;
+inline Found nearest(const Ours& ours, const Ray& ray) {
+    const auto hit = accel::closest_hit(ours, ray);
+    return hit ? Found{hit->t, hit->u, hit->v, hit->primitive} : Found{};
 }
 
 inline bool any_hit(const Ours& ours, const Ray& ray) {
-    return rt::any_hit(ours, ray, [&](const TriangleBlock& block, std::size_t lane) {
-        return meeting(corners_at(block, lane), ray).has_value();
-    });
+    return accel::any_hit(ours, ray);
 }
 
 /// The truth, by asking every triangle.

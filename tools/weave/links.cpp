@@ -87,7 +87,7 @@ std::vector<std::string> code_in(const std::string& line) {
 
 /// steps/03_mirror/mirror.h, and not steps/NN_name/*.h or a command.
 bool is_project_path(const std::string& code) {
-    constexpr std::array rooms{"steps/", "common/",    "tests/",  "tools/",
+    constexpr std::array rooms{"steps/", "accel/",     "common/", "tests/", "tools/",
                                "docs/",  "exercises/", "assets/", "cmake/"};
     const auto is_plain = [](char c) {
         return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.' || c == '/' ||

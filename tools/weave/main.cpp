@@ -27,11 +27,11 @@ struct Wishes {
     bool check = false, commands = false, changed = false, outputs = false;
 };
 
-/// The pages' paths from the root: those in it and in docs/, unless some are named.
+/// The pages' paths from the root: those in it, in docs/ and in accel/, unless some are named.
 std::vector<std::string> pages_of(const Wishes& wishes) {
     if (!wishes.pages.empty()) return wishes.pages;
     std::vector<std::string> pages;
-    for (const std::string folder : {"", "docs/"})
+    for (const std::string folder : {"", "docs/", "accel/"})
         for (const fs::path& entry : rt::entries_of(fs::path(wishes.root) / folder))
             if (entry.extension() == ".md") pages.push_back(folder + entry.filename().string());
     std::ranges::sort(pages);

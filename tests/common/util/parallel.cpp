@@ -20,16 +20,16 @@ namespace {
 
 /// Allows `count` threads until the end of the check.
 struct Allowed {
-    explicit Allowed(int count) { use_threads(count); }
-    ~Allowed() { use_threads(0); }
+    explicit Allowed(int count) { set_thread_count(count); }
+    ~Allowed() { set_thread_count(0); }
     Allowed(const Allowed&) = delete;
     Allowed& operator=(const Allowed&) = delete;
 };
 
-/// Calls both() within both(), `depth` deep, and `leaf` at each of the 2^depth ends.
-void tree_of_both(int depth, const std::function<void()>& leaf) {
+/// Calls parallel_invoke() within parallel_invoke(), `depth` deep, and `leaf` at each of the 2^depth ends.
+void tree_of_invokes(int depth, const std::function<void()>& leaf) {
     if (depth == 0) return leaf();
-    both([&] { tree_of_both(depth - 1, leaf); }, [&] { tree_of_both(depth - 1, leaf); });
+    parallel_invoke([&] { tree_of_invokes(depth - 1, leaf); }, [&] { tree_of_invokes(depth - 1, leaf); });
 }
 
 /// Waits until `flag` is set, for ten seconds at most. Answers whether it is.
@@ -38,10 +38,10 @@ bool comes(const std::atomic<bool>& flag) {
     return flag;
 }
 
-/// Whether each of both() sees that the other one has begun.
+/// Whether each of parallel_invoke() sees that the other one has begun.
 bool at_the_same_time() {
     std::atomic<bool> first = false, second = false, met_first = false, met_second = false;
-    both(
+    parallel_invoke(
         [&] {
             first = true;
             met_second = comes(second);
@@ -55,28 +55,28 @@ bool at_the_same_time() {
 
 } // namespace
 
-TEST_CASE("both() does both, also within itself, on any number of threads") {
+TEST_CASE("parallel_invoke() does both, also within itself, on any number of threads") {
     for (const int threads : {1, 2, 3, 8, 0}) {
         CAPTURE(threads);
         const Allowed allowed(threads);
         std::atomic<int> leaves = 0;
-        tree_of_both(7, [&] { ++leaves; });
+        tree_of_invokes(7, [&] { ++leaves; });
         CHECK_MESSAGE(leaves == 128, "fewer: one of the two is lost where no thread is to be had");
     }
 }
 
-TEST_CASE("both() works at the same time on two threads, again and again") {
+TEST_CASE("parallel_invoke() works at the same time on two threads, again and again") {
     const Allowed allowed(2);
     CHECK(at_the_same_time());
     CHECK_MESSAGE(at_the_same_time(), "a thread that has ended must be given back");
 }
 
-TEST_CASE("no more threads are at work than use_threads() allows") {
+TEST_CASE("no more threads are at work than set_thread_count() allows") {
     for (const int threads : {1, 2, 3}) {
         CAPTURE(threads);
         const Allowed allowed(threads);
         std::atomic<int> at_work = 0, most = 0;
-        tree_of_both(6, [&] {
+        tree_of_invokes(6, [&] {
             const int now = ++at_work;
             for (int seen = most; seen < now && !most.compare_exchange_weak(seen, now);) continue;
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -86,12 +86,12 @@ TEST_CASE("no more threads are at work than use_threads() allows") {
     }
 }
 
-TEST_CASE("with use_threads(1) all is done on the thread that calls") {
+TEST_CASE("with set_thread_count(1) all is done on the thread that calls") {
     const Allowed allowed(1);
     const auto own = std::this_thread::get_id();
     int elsewhere = 0, ranges = 0;
-    tree_of_both(5, [&] { elsewhere += std::this_thread::get_id() != own; });
-    in_ranges(1000, 1, [&](std::size_t begin, std::size_t end) {
+    tree_of_invokes(5, [&] { elsewhere += std::this_thread::get_id() != own; });
+    parallel_for(1000, 1, [&](std::size_t begin, std::size_t end) {
         elsewhere += std::this_thread::get_id() != own;
         ranges += begin == 0 && end == 1000;
     });
@@ -112,7 +112,7 @@ TEST_CASE("what one of both throws comes out when neither is at work, on one thr
                 ++ended;
             };
             const auto failing = [] { throw std::runtime_error("no more"); };
-            const auto call = [&] { first_throws ? both(failing, slow) : both(slow, failing); };
+            const auto call = [&] { first_throws ? parallel_invoke(failing, slow) : parallel_invoke(slow, failing); };
             CHECK_THROWS_WITH_AS(call(), "no more", std::runtime_error);
             CHECK_MESSAGE(begun == ended, "it still writes where the caller's variables were");
             if (threads == 2) CHECK(ended == 1);
@@ -120,45 +120,45 @@ TEST_CASE("what one of both throws comes out when neither is at work, on one thr
     }
 }
 
-TEST_CASE("an exception from a thread deep within both() reaches the caller, and costs no thread") {
+TEST_CASE("an exception from a thread deep within parallel_invoke() reaches the caller, and costs no thread") {
     const Allowed allowed(2);
     for (int i = 0; i < 5; ++i) {
         std::atomic<int> leaves = 0;
         const auto leaf = [&] {
             if (++leaves == 20) throw std::runtime_error("leaf 20");
         };
-        CHECK_THROWS_WITH_AS(tree_of_both(6, leaf), "leaf 20", std::runtime_error);
+        CHECK_THROWS_WITH_AS(tree_of_invokes(6, leaf), "leaf 20", std::runtime_error);
     }
     CHECK(at_the_same_time());
 }
 
-TEST_CASE("in_ranges() covers each number once, for any count on any number of threads") {
+TEST_CASE("parallel_for() covers each number once, for any count on any number of threads") {
     for (const int threads : {1, 2, 5, 0}) {
         const Allowed allowed(threads);
         for (const std::size_t count : {0, 1, 2, 3, 7, 8, 9, 64, 1000, 1001}) {
-            for (const std::size_t least : {1, 2, 3, 8, 333, 5000}) {
+            for (const std::size_t grain_size : {1, 2, 3, 8, 333, 5000}) {
                 std::vector<std::atomic<int>> times(count);
                 std::atomic<int> too_small = 0;
-                in_ranges(count, least, [&](std::size_t begin, std::size_t end) {
-                    too_small += begin >= end || end - begin < std::min(least, count);
+                parallel_for(count, grain_size, [&](std::size_t begin, std::size_t end) {
+                    too_small += begin >= end || end - begin < std::min(grain_size, count);
                     for (std::size_t i = begin; i < end; ++i) ++times[i];
                 });
                 CAPTURE(threads);
                 CAPTURE(count);
-                CAPTURE(least);
+                CAPTURE(grain_size);
                 CHECK(std::ranges::all_of(times, [](const auto& time) { return time == 1; }));
                 CHECK_MESSAGE(too_small == 0,
-                              "a range holds `least` numbers or more, unless there are fewer");
+                              "a range holds `grain_size` numbers or more, unless there are fewer");
             }
         }
     }
 }
 
-TEST_CASE("in_ranges() shares its ranges between threads") {
+TEST_CASE("parallel_for() shares its ranges between threads") {
     const Allowed allowed(2);
     std::array<std::atomic<bool>, 2> begun{};
     std::atomic<int> met = 0;
-    in_ranges(2, 1, [&](std::size_t begin, std::size_t) {
+    parallel_for(2, 1, [&](std::size_t begin, std::size_t) {
         begun[begin] = true;
         met += comes(begun[1 - begin]);
     });

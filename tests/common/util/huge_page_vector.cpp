@@ -1,5 +1,5 @@
-// Facts about big vectors: where they begin, and that they otherwise are vectors like any other.
-#include "common/util/big_vector.h"
+// Facts about huge-page vectors: where they begin, and that they otherwise are vectors like any other.
+#include "common/util/huge_page_vector.h"
 
 #include <doctest/doctest.h>
 
@@ -16,8 +16,8 @@ namespace {
 
 constexpr std::size_t mega = std::size_t(1) << 20;
 
-std::size_t beyond(const void* memory, std::size_t border) {
-    return reinterpret_cast<std::uintptr_t>(memory) % border;
+std::size_t beyond(const void* memory, std::size_t alignment) {
+    return reinterpret_cast<std::uintptr_t>(memory) % alignment;
 }
 
 /// A number that tells its place.
@@ -25,7 +25,7 @@ std::uint32_t mark(std::size_t i) {
     return std::uint32_t(i) * 2654435761u;
 }
 
-std::ptrdiff_t count_wrong(const BigVector<std::uint32_t>& numbers, std::size_t end) {
+std::ptrdiff_t count_wrong(const HugePageVector<std::uint32_t>& numbers, std::size_t end) {
     std::ptrdiff_t wrong = 0;
     for (std::size_t i = 0; i < end; ++i) wrong += numbers[i] != mark(i);
     return wrong;
@@ -33,8 +33,8 @@ std::ptrdiff_t count_wrong(const BigVector<std::uint32_t>& numbers, std::size_t 
 
 } // namespace
 
-TEST_CASE("a big vector begins on a border of 64 bytes, and from 1 MB on of 2 MB") {
-    std::vector<BigVector<char>> alive; // so that each must find a place of its own
+TEST_CASE("a HugePageVector begins at an alignment of 64 bytes, and from 1 MB on of 2 MB") {
+    std::vector<HugePageVector<char>> alive; // so that each must find a place of its own
     for (const std::size_t bytes : {std::size_t(1), std::size_t(63), std::size_t(64), std::size_t(65),
                                     std::size_t(1000), std::size_t(4096), mega - 1, mega, 2 * mega,
                                     4 * mega - 1, 4 * mega, 4 * mega + 1, 5 * mega, 8 * mega}) {
@@ -47,70 +47,70 @@ TEST_CASE("a big vector begins on a border of 64 bytes, and from 1 MB on of 2 MB
     }
 }
 
-TEST_CASE("all of a big vector can be written, up to its last byte") {
+TEST_CASE("all of a HugePageVector can be written, up to its last byte") {
     for (const std::size_t bytes :
          {std::size_t(1), std::size_t(100), mega - 1, mega, 4 * mega - 1, 4 * mega, 7 * mega + 5}) {
         CAPTURE(bytes);
-        BigVector<unsigned char> bytes_of(bytes);
+        HugePageVector<unsigned char> bytes_of(bytes);
         std::memset(bytes_of.data(), 0xa5, bytes);
         CHECK(std::ranges::count(bytes_of, 0xa5) == std::ptrdiff_t(bytes));
     }
 }
 
-TEST_CASE("resize() of a big vector keeps what is there and does not clear what it adds") {
-    BigVector<std::uint32_t> numbers;
+TEST_CASE("resize() of a HugePageVector keeps what is there and does not clear what it adds") {
+    HugePageVector<std::uint32_t> numbers;
     numbers.resize(1000);
     for (std::size_t i = 0; i < 1000; ++i) numbers[i] = mark(i);
     numbers.resize(10);
     numbers.resize(1000);
     CHECK_MESSAGE(count_wrong(numbers, 1000) == 0,
                   "cleared: whoever asks for millions pays for a second pass");
-    numbers.resize(2 * mega); // moves: from one border to the other
+    numbers.resize(2 * mega); // moves: from one alignment to the other
     CHECK(count_wrong(numbers, 1000) == 0);
     numbers.resize(100);
     numbers.shrink_to_fit();
     CHECK(count_wrong(numbers, 100) == 0);
 }
 
-TEST_CASE("resize() of a big vector gives a type with initial values these values") {
+TEST_CASE("resize() of a HugePageVector gives a type with initial values these values") {
     struct Initial {
         int number = 3;
         float other = -0.5f;
     };
-    BigVector<Initial> items;
+    HugePageVector<Initial> items;
     items.resize(1000);
     CHECK(std::ranges::all_of(items, [](const Initial& i) { return i.number == 3 && i.other == -0.5f; }));
-    const BigVector<int> sevens(1000, 7);
+    const HugePageVector<int> sevens(1000, 7);
     CHECK(std::ranges::count(sevens, 7) == 1000);
 }
 
-TEST_CASE("push_back() keeps what is in a big vector while it grows beyond 4 MB") {
-    BigVector<std::uint32_t> numbers;
+TEST_CASE("push_back() keeps what is in a HugePageVector while it grows beyond 4 MB") {
+    HugePageVector<std::uint32_t> numbers;
     for (std::size_t i = 0; i < 3 * mega; ++i) numbers.push_back(mark(i));
     CHECK(numbers.size() == 3 * mega);
     CHECK(count_wrong(numbers, numbers.size()) == 0);
-    const BigVector<std::uint32_t> copy = numbers;
+    const HugePageVector<std::uint32_t> copy = numbers;
     const std::uint32_t* const place = numbers.data();
-    const BigVector<std::uint32_t> moved = std::move(numbers);
+    const HugePageVector<std::uint32_t> moved = std::move(numbers);
     CHECK(copy == moved);
     CHECK_MESSAGE(moved.data() == place, "moving 12 MB must not copy them");
 }
 
-TEST_CASE("a big vector of nothing is like any other") {
-    BigVector<double> none;
+TEST_CASE("a HugePageVector of nothing is like any other") {
+    HugePageVector<double> none;
     none.resize(0);
     none.shrink_to_fit();
     CHECK(none.empty());
     CHECK(none.begin() == none.end());
-    const BigVector<double> copy = none, given(std::size_t(0));
+    const HugePageVector<double> copy = none, given(std::size_t(0));
     CHECK(copy == given);
     none.push_back(1.5);
     none.pop_back();
     CHECK(none == copy);
-    big_free(big_allocate(0), 0);
+    huge_page_free(huge_page_allocate(0), 0);
 }
 
-TEST_CASE("a big vector that no memory holds is std::bad_alloc") {
+TEST_CASE("a HugePageVector that no memory holds is std::bad_alloc") {
     BigAllocator<double> allocator;
     CHECK_THROWS_AS(allocator.allocate(std::size_t(-1) / sizeof(double) + 1), std::bad_alloc);
 }

@@ -1,0 +1,96 @@
+// SIMD vectors: as many numbers as a register of the machine holds, computed with one instruction. GCC and
+// Clang know vectors of any machine: 16 floats with AVX-512, 8 with AVX, 4 with SSE or NEON; elsewhere 4
+// plain numbers.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+#ifdef __SSE__
+#include <immintrin.h>
+#endif
+
+namespace rt::accel {
+
+#if defined(__AVX512F__)
+inline constexpr int simd_width = 16;
+#elif defined(__AVX__)
+inline constexpr int simd_width = 8;
+#else
+inline constexpr int simd_width = 4;
+#endif
+
+using FloatN = float __attribute__((vector_size(4 * simd_width)));
+using IntN =
+    std::int32_t __attribute__((vector_size(4 * simd_width))); ///< a comparison gives -1 or 0 per lane
+
+using Float4 = float __attribute__((vector_size(16)));
+using Int4 = std::int32_t __attribute__((vector_size(16)));
+
+/// Returns `value` in every lane.
+inline FloatN broadcast(float value) {
+    return value - FloatN{}; // not plus, which would have to turn -0 into 0
+}
+
+/// Per lane, of vectors of any width. If one operand is NaN, the result is the second: pass the one that must
+/// survive last.
+template <typename Vector>
+Vector min(Vector a, Vector b) {
+    return a < b ? a : b;
+}
+template <typename Vector>
+Vector max(Vector a, Vector b) {
+    return a > b ? a : b;
+}
+
+/// Returns c - a b, rounded once if the machine can fuse the two operations, otherwise twice.
+inline FloatN fnmadd(FloatN a, FloatN b, FloatN c) {
+#if defined(__AVX512F__)
+    return FloatN(_mm512_fnmadd_ps(__m512(a), __m512(b), __m512(c)));
+#elif defined(__FMA__)
+    return FloatN(_mm256_fnmadd_ps(__m256(a), __m256(b), __m256(c)));
+#else
+    return c - a * b;
+#endif
+}
+
+/// Returns one bit per lane: bit i is set if lane i of the mask is.
+inline unsigned movemask(IntN mask) {
+#if defined(__AVX512F__)
+    return _mm512_test_epi32_mask(__m512i(mask), __m512i(mask));
+#elif defined(__AVX__)
+    return unsigned(_mm256_movemask_ps(__m256(mask)));
+#elif defined(__SSE__)
+    return unsigned(_mm_movemask_ps(__m128(mask)));
+#else
+    unsigned all = 0;
+    for (int i = 0; i < simd_width; ++i) all |= unsigned(mask[i] & 1 << i);
+    return all;
+#endif
+}
+
+/// movemask(a < b) and movemask(a <= b). AVX-512 compares into bits directly.
+inline unsigned less(FloatN a, FloatN b) {
+#ifdef __AVX512F__
+    return _mm512_cmp_ps_mask(__m512(a), __m512(b), _CMP_LT_OQ);
+#else
+    return movemask(a < b);
+#endif
+}
+inline unsigned less_equal(FloatN a, FloatN b) {
+#ifdef __AVX512F__
+    return _mm512_cmp_ps_mask(__m512(a), __m512(b), _CMP_LE_OQ);
+#else
+    return movemask(a <= b);
+#endif
+}
+
+/// Removes the lowest bit from `mask` and returns its index.
+inline std::size_t pop_lowest_bit(unsigned& mask) {
+    const int bit = std::countr_zero(mask);
+    mask &= mask - 1;
+    return std::size_t(bit);
+}
+
+} // namespace rt::accel

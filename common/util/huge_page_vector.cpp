@@ -1,0 +1,40 @@
+// Where a HugePageVector gets its memory.
+#include "common/util/huge_page_vector.h"
+
+#include <cstdlib>
+
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
+
+namespace rt {
+namespace {
+
+constexpr std::size_t widest_alignment = 128;
+constexpr std::size_t huge_page = std::size_t(2) << 20;
+
+bool in_huge_pages(std::size_t bytes) {
+    return bytes >= huge_page / 2;
+}
+std::size_t alignment(std::size_t bytes) {
+    return in_huge_pages(bytes) ? huge_page : widest_alignment;
+}
+
+} // namespace
+
+void* huge_page_allocate(std::size_t bytes) {
+    // Whole pages only: the rest of the last one would belong to other data.
+    const std::size_t whole = (bytes + huge_page - 1) / huge_page * huge_page;
+    void* const memory =
+        ::operator new(in_huge_pages(bytes) ? whole : bytes, std::align_val_t(alignment(bytes)));
+#ifdef __linux__
+    if (in_huge_pages(bytes)) madvise(memory, whole, MADV_HUGEPAGE);
+#endif
+    return memory;
+}
+
+void huge_page_free(void* memory, std::size_t bytes) noexcept {
+    ::operator delete(memory, std::align_val_t(alignment(bytes)));
+}
+
+} // namespace rt
