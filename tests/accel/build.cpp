@@ -56,7 +56,7 @@ void check_wide_tree(const std::vector<Aabb>& boxes) {
             for (int i = 0; i < block.count; ++i) {
                 const std::uint32_t primitive = block.primitive[std::size_t(i)];
                 ++times[primitive];
-                grow(all, boxes[primitive]);
+                extend(all, boxes[primitive]);
             }
             return all;
         }
@@ -67,7 +67,7 @@ void check_wide_tree(const std::vector<Aabb>& boxes) {
             if (is_empty(box)) continue;
             ++children;
             too_small += !encloses(box, visit(node.children[lane], depth + 1));
-            grow(all, box);
+            extend(all, box);
         }
         single_child += children < 2;
         return all;
@@ -126,7 +126,7 @@ TEST_CASE("the wide tree is the same on one thread and on many") {
         different += node.children != other.children;
         for (std::size_t lane = 0; lane < simd_width; ++lane) {
             const Aabb box = lane_box(node, lane), same = lane_box(other, lane);
-            different += box.min != same.low || box.max != same.high;
+            different += box.min != same.min || box.max != same.max;
             if (!is_empty(box)) visit(node.children[lane]);
         }
     };

@@ -180,10 +180,10 @@ TEST_CASE("a ray that aims at an edge or a vertex that triangles share never sli
             int slipped = 0, shadows = 0;
             const int count = 4000;
             for (int i = 0; i < count; ++i) {
-                const auto vertices = corners(
+                const auto [a, b, c] = vertices(
                     subject.mesh, std::uint32_t(random.uniform() * float(subject.mesh.triangles.size())));
                 const float weight = i % 5 == 0 ? 0.0f : random.uniform();
-                const vec3 target = mix(vertices[0], vertices[1], weight);
+                const vec3 target = mix(a, b, weight);
                 const bool rim = target.z == 0.3f && (std::min(target.x, target.y) < 1e-6f ||
                                                       std::max(target.x, target.y) > 1 - 1e-6f);
                 if (rim) continue; // of the open grid: there is no neighbour
