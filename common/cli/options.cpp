@@ -1,5 +1,4 @@
-// Options of a program: CLI11 finds them on the command line and lists them in --help; a message names the
-// option, what was typed and what fits.
+// Options of a program, by CLI11. A message names the option, what was typed and what fits.
 
 #include "common/cli/options.h"
 
@@ -36,8 +35,7 @@ std::string text_of(const Value& value) {
 }
 
 /// `text` in lines that leave 25 of 80 columns to the names.
-std::string wrapped(std::string text) {
-    constexpr std::size_t width = 55;
+std::string wrapped(std::string text, std::size_t width = 55) {
     for (std::size_t start = 0; text.size() - start > width;) {
         const std::size_t blank = text.rfind(' ', start + width);
         if (blank == std::string::npos || blank < start) break;
@@ -47,8 +45,7 @@ std::string wrapped(std::string text) {
     return text;
 }
 
-const CLI::Validator
-    not_empty([](std::string& text) { return text.empty() ? "the name of the file is empty" : ""; }, "");
+const CLI::Validator not_empty([](auto& s) { return s.empty() ? "the name of the file is empty" : ""; }, "");
 
 /// The decimal number that `text` is, if it is one and in the range.
 template <typename Number>
@@ -57,8 +54,8 @@ std::optional<Number> parse_number(const std::string& text, Number low, Number h
     Number value{};
     if constexpr (std::is_integral_v<Number>) {
         const bool plus = text[0] == '+' && text[1] != '-';
-        const auto [last, error] = std::from_chars(begin + plus, end, value);
-        if (error == std::errc()) stop = last;
+        if (const auto [last, error] = std::from_chars(begin + plus, end, value); error == std::errc())
+            stop = last;
     } else {
         double number = 0;
         stop = read_number(begin, end, number);
@@ -144,48 +141,47 @@ struct Options::Parser {
         return add(name, metavar, help, [&value](const std::string& text) { value = text; });
     }
 
-    void add_image_options();
-    void refuse_extras() const;
+    void add_image_options() {
+        group = "Image";
+        add_number("width", settings.width, 1, max_image_dimension, "columns of the whole image, in pixels");
+        add_number("height", settings.height, 1, max_image_dimension, "rows of the whole image, in pixels");
+        add_number("samples", settings.samples, 1, 1 << 20, "samples per pixel");
+        add_number("seed", settings.seed, std::uint64_t(0), ~std::uint64_t(0), "another seed, other noise");
+        add_text("crop", "X0,Y0,X1,Y1", crop,
+                 "render only columns x0 <= x < x1 and rows y0 <= y < y1 of the whole, in pixels from the "
+                 "top left "
+                 "[inside the image; default the whole image]");
+        group = "Output";
+        add_text(
+            "out", "FILE", settings.out,
+            "the image's file: NAME.png (8-bit sRGB), NAME.hdr (linear light), or NAME for both [default " +
+                settings.out + "]")
+            ->check(not_empty);
+        add_text(
+            "variance", "FILE", settings.variance,
+            "also write the variance of each pixel's mean luminance: NAME.hdr; needs --samples 2 or more "
+            "[default none]")
+            ->check(not_empty);
+        add_number("threads", settings.threads, 0, 1024,
+                   "threads to render with; 0: as many as the cores that it may use");
+        add("quiet", "", "print only the names of the files written, and errors",
+            [this](const std::string&) { settings.quiet = true; });
+    }
+
+    void refuse_extras() const {
+        const std::vector<std::string> extras = app.remaining();
+        if (extras.empty()) return;
+        const std::string word = extras.front().substr(0, extras.front().find('='));
+        if (word.size() < 2 || word[0] != '-')
+            throw Error(in_quotes(word) +
+                        " has no option before it: every value follows its option, as in --width 640");
+        std::vector<std::string> names;
+        for (const CLI::Option* option : app.get_options()) names.push_back(option->get_lnames().front());
+        const std::string letters = word.substr(std::min(word.find_first_not_of('-'), word.size()));
+        throw Error(in_quotes(word) + " is not an option of " + app.get_name() +
+                    suggestion(letters, names, "--") + ": --help lists them all");
+    }
 };
-
-void Options::Parser::add_image_options() {
-    group = "Image";
-    add_number("width", settings.width, 1, max_image_dimension, "columns of the whole image, in pixels");
-    add_number("height", settings.height, 1, max_image_dimension, "rows of the whole image, in pixels");
-    add_number("samples", settings.samples, 1, 1 << 20, "samples per pixel");
-    add_number("seed", settings.seed, std::uint64_t(0), ~std::uint64_t(0), "another seed, other noise");
-    add_text(
-        "crop", "X0,Y0,X1,Y1", crop,
-        "render only columns x0 <= x < x1 and rows y0 <= y < y1 of the whole, in pixels from the top left "
-        "[inside the image; default the whole image]");
-    group = "Output";
-    add_text("out", "FILE", settings.out,
-             "the image's file: NAME.png (8-bit sRGB), NAME.hdr (linear light), or NAME for both [default " +
-                 settings.out + "]")
-        ->check(not_empty);
-    add_text("variance", "FILE", settings.variance,
-             "also write the variance of each pixel's mean luminance: NAME.hdr; needs --samples 2 or more "
-             "[default none]")
-        ->check(not_empty);
-    add_number("threads", settings.threads, 0, 1024,
-               "threads to render with; 0: as many as the cores that it may use");
-    add("quiet", "", "print only the names of the files written, and errors",
-        [this](const std::string&) { settings.quiet = true; });
-}
-
-void Options::Parser::refuse_extras() const {
-    const std::vector<std::string> extras = app.remaining();
-    if (extras.empty()) return;
-    const std::string word = extras.front().substr(0, extras.front().find('='));
-    if (word.size() < 2 || word[0] != '-')
-        throw Error(in_quotes(word) +
-                    " has no option before it: every value follows its option, as in --width 640");
-    std::vector<std::string> names;
-    for (const CLI::Option* option : app.get_options()) names.push_back(option->get_lnames().front());
-    const std::string letters = word.substr(std::min(word.find_first_not_of('-'), word.size()));
-    throw Error(in_quotes(word) + " is not an option of " + app.get_name() +
-                suggestion(letters, names, "--") + ": --help lists them all");
-}
 
 Options::Options(std::string name, std::string question, RenderSettings settings)
     : parser(std::make_unique<Parser>()) {
@@ -197,10 +193,10 @@ Options::Options(std::string name, std::string question, RenderSettings settings
     app.allow_windows_style_options(false);
     app.get_formatter()->column_width(25);
     app.set_help_flag(); // CLI11's own one comes after the values, which then would have to be right
-    const auto help = [] { throw CLI::CallForHelp(); };
-    app.add_flag_callback("-h,--help", help, "print this")->group(own_group);
-    const auto show_version = [] { throw CLI::CallForVersion(); };
-    app.add_flag_callback("--version", show_version, "print the version")->group(own_group);
+    app.add_flag_callback(
+           "-h,--help", [] { throw CLI::CallForHelp(); }, "print this")
+        ->group(own_group);
+    app.set_version_flag("--version", version(), "print the version")->group(own_group);
     parser->settings = std::move(settings);
     if (parser->settings.out.empty()) parser->settings.out = name;
     parser->add_image_options();
@@ -272,11 +268,9 @@ bool Options::parse(int argc, const char* const* argv) {
     std::reverse(words.begin(), words.end()); // CLI11 takes words from the back
     try {
         parser->app.parse(words);
-    } catch (const CLI::CallForHelp&) {
-        std::cout << parser->app.help() << std::flush;
-        return false;
-    } catch (const CLI::CallForVersion&) {
-        std::cout << version() << std::endl;
+    } catch (const CLI::Success& asked) { // --help or --version
+        const bool help = asked.get_name() == "CallForHelp";
+        std::cout << (help ? parser->app.help() : version() + std::string("\n")) << std::flush;
         return false;
     } catch (const CLI::ArgumentMismatch& error) { // "--width: 1 required N missing"
         const std::string text = error.what(), flag = text.substr(0, text.find(':'));
