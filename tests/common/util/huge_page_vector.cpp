@@ -111,6 +111,6 @@ TEST_CASE("a HugePageVector of nothing is like any other") {
 }
 
 TEST_CASE("a HugePageVector that no memory holds is std::bad_alloc") {
-    BigAllocator<double> allocator;
+    HugePageAllocator<double> allocator;
     CHECK_THROWS_AS(allocator.allocate(std::size_t(-1) / sizeof(double) + 1), std::bad_alloc);
 }
