@@ -112,7 +112,9 @@ TEST_CASE("what one of both throws comes out when neither is at work, on one thr
                 ++ended;
             };
             const auto failing = [] { throw std::runtime_error("no more"); };
-            const auto call = [&] { first_throws ? parallel_invoke(failing, slow) : parallel_invoke(slow, failing); };
+            const auto call = [&] {
+                first_throws ? parallel_invoke(failing, slow) : parallel_invoke(slow, failing);
+            };
             CHECK_THROWS_WITH_AS(call(), "no more", std::runtime_error);
             CHECK_MESSAGE(begun == ended, "it still writes where the caller's variables were");
             if (threads == 2) CHECK(ended == 1);
@@ -120,7 +122,8 @@ TEST_CASE("what one of both throws comes out when neither is at work, on one thr
     }
 }
 
-TEST_CASE("an exception from a thread deep within parallel_invoke() reaches the caller, and costs no thread") {
+TEST_CASE(
+    "an exception from a thread deep within parallel_invoke() reaches the caller, and costs no thread") {
     const Allowed allowed(2);
     for (int i = 0; i < 5; ++i) {
         std::atomic<int> leaves = 0;
