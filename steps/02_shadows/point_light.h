@@ -39,7 +39,7 @@ vec3 direct_irradiance(const S& scene, const Hit& hit) {
         const vec3 unoccluded = irradiance(light, hit.position, hit.shading_normal);
         //> add it if it is any, and if nothing stands between the hit and the light
         if (unoccluded != vec3(0) && !occluded(scene, spawn_ray_to(hit, light.position))) sum += unoccluded;
-        //< sum += arriving;
+        //< sum += unoccluded;
     }
     return sum;
 }
