@@ -1,4 +1,4 @@
-// A pinhole camera: from a point of the picture to the ray that sees it.
+// A pinhole camera: from a point of the image to the ray that sees it.
 #pragma once
 
 #include "01_spheres/ray.h"
@@ -7,7 +7,7 @@
 
 namespace rt {
 
-/// Where a camera stands and what it looks at.
+/// Where a camera is and what it looks at.
 struct LookAt {
     vec3 from{0, 0, 0};
     vec3 at{0, 0, -1};
@@ -38,8 +38,8 @@ inline Camera make_camera(const LookAt& look_at, int width, int height) {
             vec2(width, height)};
 }
 
-/// `film_point` is a point of the picture: (0, 0) its top left corner, (width, height) its bottom right one,
-/// so that the middle of pixel (x, y) is (x + .5, y + .5). The direction has unit length.
+/// Returns the ray through a point of the image: (0, 0) is its top left corner, (width, height) the bottom
+/// right one, so the center of pixel (x, y) is (x + .5, y + .5). The direction has unit length.
 inline Ray camera_ray(const Camera& camera, vec2 film_point) {
     //> map the picture to [-1, 1] x [-1, 1], with y upward, and add up the three axes
     const float x = 2 * film_point.x / camera.resolution.x - 1;
@@ -48,9 +48,9 @@ inline Ray camera_ray(const Camera& camera, vec2 film_point) {
     //< return {camera.origin, camera.forward};
 }
 
-/// Where sample `index` of a pixel lies within it, in [0, 1)^2: the middle first, then spread evenly by the
+/// Returns the position of sample `index` in its pixel, in [0, 1)^2: the center first, then evenly by the
 /// generalised golden ratio g = 1.3247..., g^3 = g + 1 (Roberts 2018, "The Unreasonable Effectiveness of
-/// Quasirandom Sequences"). Step 07 asks what a good choice would be.
+/// Quasirandom Sequences"). Step 07 compares better choices.
 inline vec2 r2_offset(int index) {
     const glm::dvec2 step(0.7548776662466927, 0.5698402909980532); // 1/g and 1/g^2
     return min(vec2(fract(0.5 + double(index) * step)), vec2(0x1.fffffep-1f));

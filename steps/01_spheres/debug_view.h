@@ -1,5 +1,4 @@
-// --view: what a ray hits, in place of the light it brings. The first thing to look at when a picture is
-// wrong.
+// --view: false colours of what a ray hits, instead of radiance. Look here first if an image is wrong.
 #pragma once
 
 #include "01_spheres/hit.h"
@@ -12,7 +11,7 @@ namespace rt {
 
 enum class DebugView { radiance, normal, depth, uv, material, depth_complexity, traversal_cost };
 
-/// How many surfaces the whole line of the ray crosses, at most `limit`.
+/// Returns how many surfaces the whole ray crosses, at most `limit`.
 template <Traceable S>
 int depth_complexity(const S& scene, Ray ray, int limit) {
     int count = 0;
@@ -25,18 +24,19 @@ int depth_complexity(const S& scene, Ray ray, int limit) {
     return count;
 }
 
-/// A colour that tells number `index` from its neighbours.
+/// Returns a colour that distinguishes `index` from its neighbours.
 inline vec3 id_colour(int index) {
     Random random{std::uint64_t(index)};
     return vec3(0.1f) + 0.8f * vec3(random.uniform(), random.uniform(), random.uniform());
 }
 
-/// From black over red and yellow to white, for 0 to 1.
+/// Maps [0, 1] to black, red, yellow, white.
 inline vec3 heat_map(float value) {
     return clamp(3 * value - vec3(0, 1, 2), 0.0f, 1.0f);
 }
 
-/// How many boxes and triangles it takes to find the nearest hit, each doubling a sixteenth further up in heat.
+/// Shows how many boxes and triangles are tested to find the closest hit, on a logarithmic scale: each
+/// doubling moves the colour up by 1/16.
 template <Traceable S>
 vec3 cost_colour(const S& scene, const Ray& ray) {
     const auto tests = [] { return ray_stats.box_tests + ray_stats.triangle_tests; };
@@ -45,7 +45,7 @@ vec3 cost_colour(const S& scene, const Ray& ray) {
     return heat_map(std::log2(1.0f + float(tests() - before)) / 16);
 }
 
-/// `mid_grey_distance` is the distance that the depth view shows in mid grey.
+/// Returns the false colour of what the ray hits. The depth view shows `mid_grey_distance` as mid grey.
 template <Traceable S>
 vec3 debug_colour(const S& scene, const Ray& ray, DebugView view, float mid_grey_distance) {
     if (view == DebugView::depth_complexity) return vec3(float(depth_complexity(scene, ray, 8)) / 8);

@@ -1,4 +1,4 @@
-// Matte surfaces: chalk, paper, plaster. They look equally bright from everywhere.
+// Lambertian surfaces (chalk, paper, plaster): the same radiance in every direction.
 #pragma once
 
 #include "01_spheres/hit.h"
@@ -10,13 +10,14 @@ struct Diffuse {
     vec3 emission = vec3(0); ///< radiance that it sends out by itself, W / (m^2 sr)
 };
 
-/// The flat shader: one radiance from every side whatever light there is. In step 08 it becomes a lamp.
+/// Returns a purely emissive surface: constant radiance, independent of the incoming light. In step 08 it is
+/// a light source.
 inline Diffuse emissive(vec3 radiance) {
     return {vec3(0), radiance};
 }
 
-/// Lambert's law: irradiance E (W/m^2) leaves a matte surface as radiance albedo / pi E, the same in all
-/// directions. The pi is the integral of the cosine over the half-sphere: with albedo 1, all that came leaves
+/// Lambert's law: returns the radiance for irradiance E (W/m^2), emission + albedo / pi E, the same in all
+/// directions. pi is the integral of the cosine over the hemisphere: with albedo 1, all incoming light leaves
 /// again.
 inline vec3 outgoing_radiance(const Diffuse& diffuse, vec3 irradiance) {
     //> emission, and albedo / pi of what arrives
@@ -24,8 +25,8 @@ inline vec3 outgoing_radiance(const Diffuse& diffuse, vec3 irradiance) {
     //< return vec3(0);
 }
 
-/// What is matte at a hit. Patterns (a checkerboard, in step 06 an image) overload this, so that light need not know
-/// them: they change which colour is where, not how light travels.
+/// Returns the diffuse surface at a hit. Patterns (a checkerboard, an image in step 06) overload this: they
+/// change which colour is where, not how light travels.
 template <typename S>
 Diffuse matte_at(const Diffuse& diffuse, const S&, const Hit&) {
     return diffuse;

@@ -1,4 +1,4 @@
-// What a ray meets: plain data, made once for the nearest surface.
+// What a ray hits: plain data, computed once, for the closest surface.
 #pragma once
 
 #include "01_spheres/ray.h"
@@ -8,14 +8,14 @@
 
 namespace rt {
 
-/// Relative offset of secondary rays: this fraction of the largest coordinate M of the ray's origin and of the
-/// hit. No other number moves a ray. Shapes are tested in double, so what is left are three roundings to
+/// Relative offset of secondary rays: this fraction of the largest coordinate M of the ray's origin and of
+/// the hit. No other number moves a ray. Shapes are tested in double, so what is left are three roundings to
 /// float, each of a relative 2^-24: of t, along a way of at most 2 M per axis; of the hit's position; and of
 /// the moved origin of the next ray. A unit normal has |x| + |y| + |z| <= sqrt(3), so a point is off its
 /// surface by at most (2 + 1 + 1) sqrt(3) 2^-24 M < 2^-21 M.
 inline constexpr float relative_epsilon = 0x1p-21f;
 
-/// The bound on how far off its surface a point may be that was found along a ray from `origin`.
+/// Bounds how far a hit along a ray from `origin` may be off its surface, in metres.
 inline float position_error(vec3 origin, vec3 position) {
     const vec3 reach = max(abs(position), abs(origin));
     return relative_epsilon * glm::max(reach.x, glm::max(reach.y, reach.z));
@@ -33,9 +33,9 @@ struct Hit {
     vec3 tint{1};          ///< multiplies the albedo: the colour of a mesh's vertices (step 05), or white
 };
 
-/// The hit at the end of `ray`, that is at t_max. `outward_normal` is the shape's own unit normal,
-/// `shading_normal` the one to shade with; both are turned here, once, so that nobody else needs to ask which
-/// side a ray is on.
+/// Returns the hit at the end of `ray`, at t_max. `outward_normal` is the shape's own unit normal,
+/// `shading_normal` the one to shade with. Both are flipped here, once, toward the side that the ray comes
+/// from, so that no other code has to.
 inline Hit make_hit(const Ray& ray, vec3 outward_normal, vec3 shading_normal, vec2 uv, int material) {
     const vec3 position = at(ray, ray.t_max);
     const float error = position_error(ray.origin, position);
@@ -51,8 +51,8 @@ inline Hit make_hit(const Ray& ray, vec3 outward_normal, vec2 uv, int material) 
     return make_hit(ray, outward_normal, outward_normal, uv, material);
 }
 
-/// A scene that can tell what a ray meets first. Transport code asks for no more than this, so what a chapter
-/// writes keeps working on the scenes of later chapters.
+/// A scene that answers the closest-hit query. Light transport needs no more than this, so the code of one
+/// chapter also works on the scenes of later chapters.
 template <typename Scene>
 concept Traceable = requires(const Scene& scene, const Ray& ray) {
     { intersect(scene, ray) } -> std::same_as<std::optional<Hit>>;

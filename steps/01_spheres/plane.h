@@ -11,8 +11,8 @@ struct Plane {
     int material;
 };
 
-/// The t with (O + tD - P).N = 0. A ray along the plane has none: the division gives infinity or NaN, which
-/// no interval contains. In double, as the sphere: the point of a plane may be far away.
+/// Returns the t with (O + tD - P).N = 0. A ray parallel to the plane has none: the division gives infinity
+/// or NaN, which no interval contains. In double, like the sphere: P may be far away.
 inline std::optional<float> intersect(const Plane& plane, const Ray& ray) {
     //> solve for t, and answer it if the ray contains it
     const dvec3 normal(plane.normal), to_plane = dvec3(plane.point) - dvec3(ray.origin);
@@ -22,7 +22,7 @@ inline std::optional<float> intersect(const Plane& plane, const Ray& ray) {
     //< return std::nullopt;
 }
 
-/// uv counts metres from plane.point; on a floor (normal +y) u runs along +x and v along -z.
+/// uv is in metres from plane.point; on a floor (normal +y) u runs along +x and v along -z.
 inline Hit surface_hit(const Plane& plane, const Ray& ray) {
     const vec3 reference_axis = std::abs(plane.normal.z) > 0.9f ? vec3(0, 1, 0) : vec3(0, 0, -1);
     const vec3 u = normalize(cross(reference_axis, plane.normal));

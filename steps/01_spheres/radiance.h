@@ -1,4 +1,4 @@
-// How light travels, in step 01: from the sky to the first surface, and from there into the eye.
+// How light travels, in step 01: from the sky to the first surface, and from there to the eye.
 #pragma once
 
 #include "01_spheres/diffuse.h"
@@ -8,14 +8,14 @@
 
 namespace rt {
 
-/// A matte surface in the light of the whole sky. Shortcut: nothing stands in the sky's way. Step 02 adds
-/// shadows, step 08 lets the surroundings hide and colour the sky.
+/// Returns the radiance of a diffuse surface lit by the whole sky. Shortcut: the sky is never occluded. Step
+/// 02 adds shadows; in step 08 the surroundings occlude the sky and reflect light themselves.
 template <Traceable S>
 vec3 shade_diffuse(const S& scene, const Hit& hit, const Diffuse& diffuse) {
     return outgoing_radiance(diffuse, irradiance(scene.sky, hit.shading_normal));
 }
 
-/// The radiance that comes back along the ray, W / (m^2 sr), linear RGB.
+/// Returns the radiance arriving along the ray, W / (m^2 sr), linear RGB.
 template <Traceable S>
 vec3 radiance(const S& scene, const Ray& ray) {
     const auto hit = intersect(scene, ray);

@@ -16,8 +16,8 @@ struct Shapes {
     std::vector<Plane> planes;
 };
 
-/// What the ray meets first. Each hit shortens the ray, so the last one found is the closest; only that one
-/// is worked out in full.
+/// Returns the closest hit. Each hit shrinks t_max, so the last accepted hit is the closest. Full surface
+/// data are computed for that one only.
 inline std::optional<Hit> intersect(const Shapes& shapes, Ray ray) {
     ++ray_stats.rays;
     std::variant<std::monostate, const Sphere*, const Plane*> closest;

@@ -1,4 +1,4 @@
-// A sphere: where a ray meets it, which way it faces there, and its map of longitude and latitude.
+// A sphere: where a ray hits it, its normal there, and its longitude and latitude as uv.
 #pragma once
 
 #include "01_spheres/hit.h"
@@ -14,10 +14,11 @@ struct Sphere {
     int material;
 };
 
-/// The smallest t in the ray's interval with |O + tD - C|^2 = r^2, which is a t^2 - 2 h t + c = 0 with
+/// Returns the smallest t in the ray's interval with |O + tD - C|^2 = r^2, which is a t^2 - 2 h t + c = 0
+/// with
 ///     a = D.D,   h = D.(C - O),   c = |C - O|^2 - r^2.
 /// The roots are q/a and c/q with q = h + sign(h) sqrt(h^2 - a c): neither subtracts two nearly equal numbers
-/// (Press et al., Numerical Recipes, 5.6). In double, since c cancels for a ball of 10 km under one's feet.
+/// (Press et al., Numerical Recipes, 5.6). In double, since c cancels for a ray close to a sphere of 10 km.
 inline std::optional<float> intersect(const Sphere& sphere, const Ray& ray) {
     //> a, h and c, the discriminant, and of the two roots the first that the ray contains
     const glm::dvec3 to_center = glm::dvec3(sphere.center) - glm::dvec3(ray.origin);
@@ -38,16 +39,15 @@ inline std::optional<float> intersect(const Sphere& sphere, const Ray& ray) {
     //< return std::nullopt;
 }
 
-/// Longitude and latitude of a point on the unit sphere as (u, v) in [0, 1]^2: v is 0 at the south pole (-y)
-/// and 1 at the north pole, u grows eastward, that is to the right for whoever looks from outside with north
-/// up.
+/// Returns longitude and latitude of a point on the unit sphere as (u, v) in [0, 1]^2: v is 0 at the south
+/// pole (-y) and 1 at the north pole; u grows eastward, to the right as seen from outside with north up.
 inline vec2 sphere_uv(vec3 p) {
     const float longitude = std::atan2(-p.z, p.x);
     const float latitude = std::asin(glm::clamp(p.y, -1.0f, 1.0f));
     return {0.5f + longitude / (2 * pi), 0.5f + latitude / pi};
 }
 
-/// The hit at ray.t_max, where the ray was found to meet `sphere`.
+/// Returns the surface data of the hit with `sphere` at ray.t_max.
 inline Hit surface_hit(const Sphere& sphere, const Ray& ray) {
     //> the outward normal points from the centre to the hit
     const vec3 outward_normal = normalize(at(ray, ray.t_max) - sphere.center);

@@ -1,4 +1,4 @@
-// A point light, what it sheds on a surface, and the shadow of whatever stands between.
+// A point light: the irradiance it gives to a surface, and its shadows.
 #pragma once
 
 #include "01_spheres/diffuse.h"
@@ -12,26 +12,26 @@ struct PointLight {
     vec3 intensity; ///< W/sr, the same in all directions: a power of 4 pi intensity
 };
 
-/// A scene that can also tell, sooner than it finds the nearest hit, whether there is any.
+/// A scene that also answers the cheaper any-hit query used by shadow rays.
 template <typename Scene>
 concept Occludable = Traceable<Scene> && requires(const Scene& scene, const Ray& ray) {
     { occluded(scene, ray) } -> std::same_as<bool>;
 };
 
-/// What a surface at `position` with this unit normal receives of the light if nothing stands between, W/m^2:
-/// E = I cos(theta) / r^2, and nothing from behind.
+/// Returns the unoccluded irradiance from the light at `position` on a surface with this unit normal, W/m^2:
+/// E = I cos(theta) / r^2, and 0 from behind.
 inline vec3 irradiance(const PointLight& light, vec3 position, vec3 normal) {
     //> the cosine to the normal, over the square of the distance
     const vec3 to_light = light.position - position;
     const float distance_squared = dot(to_light, to_light);
-    if (distance_squared == 0) return vec3(0); // the lamp itself
+    if (distance_squared == 0) return vec3(0); // the light itself
     const float cosine = dot(to_light, normal) / std::sqrt(distance_squared);
     return light.intensity * glm::max(cosine, 0.0f) / distance_squared;
     //< return vec3(1);
 }
 
-/// The irradiance at a hit from all point lights that it sees. Shortcut: between the two the air is clear,
-/// even within coloured glass.
+/// Returns the irradiance at a hit from all point lights that are visible from it, W/m^2. Shortcut: no medium
+/// absorbs light on the way, not even coloured glass.
 template <Occludable S>
 vec3 direct_irradiance(const S& scene, const Hit& hit) {
     vec3 sum(0);
@@ -44,8 +44,8 @@ vec3 direct_irradiance(const S& scene, const Hit& hit) {
     return sum;
 }
 
-/// The radiance of a matte surface in the light of the point lights and of the sky. Shortcut: nothing stands
-/// in the sky's way, which makes it a stand-in for indirect light until step 08.
+/// Returns the radiance of a diffuse surface lit by the point lights and the sky. Shortcut: the sky is never
+/// occluded; it stands in for indirect light until step 08.
 template <Occludable S>
 vec3 shade_diffuse(const S& scene, const Hit& hit, const Diffuse& diffuse) {
     return outgoing_radiance(

@@ -1,5 +1,4 @@
-// How light travels, in step 02: from lights to the first surface, if they see each other, and from there
-// into the eye.
+// How light travels, in step 02: from visible lights to the first surface, and from there to the eye.
 #pragma once
 
 #include "02_shadows/point_light.h"
@@ -7,7 +6,7 @@
 
 namespace rt {
 
-/// The radiance that comes back along the ray, W / (m^2 sr), linear RGB.
+/// Returns the radiance arriving along the ray, W / (m^2 sr), linear RGB.
 template <Occludable S>
 vec3 radiance(const S& scene, const Ray& ray) {
     const auto hit = intersect(scene, ray);

@@ -1,4 +1,4 @@
-// Whether anything stands in the way of a ray: the question of shadow rays.
+// The any-hit query, which shadow rays need: is anything in the way?
 #pragma once
 
 #include "01_spheres/shapes.h"
@@ -7,7 +7,7 @@
 
 namespace rt {
 
-/// Whether anything at all stands in the ray's interval: the first shape that does ends the search.
+/// Returns whether any shape is hit in the ray's interval; the first one found ends the search.
 inline bool occluded(const Shapes& shapes, const Ray& ray) {
     ++ray_stats.rays;
     //> true as soon as one shape is hit, whichever it is

@@ -1,12 +1,12 @@
-// Leaving a surface: new rays start beside it, so that they do not meet it again at once (shadow acne).
+// Offsets the origin of a secondary ray so that it does not hit the surface it starts on (shadow acne).
 #pragma once
 
 #include "01_spheres/hit.h"
 
 namespace rt {
 
-/// The hit's position, moved off the surface by the error it may have, to the side that `direction` points
-/// to. Along the geometric normal: an interpolated one may lean into the surface.
+/// Returns the hit's position, moved off the surface by its error bound, to the side that `direction` points
+/// to; along the geometric normal, since an interpolated one may lean into the surface.
 inline vec3 offset_ray_origin(const Hit& hit, vec3 direction) {
     //> step along the geometric normal, outward or inward
     const float sign = dot(direction, hit.geometric_normal) < 0 ? -1.0f : 1.0f;
@@ -14,13 +14,13 @@ inline vec3 offset_ray_origin(const Hit& hit, vec3 direction) {
     //< return hit.position;
 }
 
-/// A ray that leaves the hit in this direction and may go on for ever.
+/// Returns a ray from the hit in this direction, unbounded.
 inline Ray spawn_ray(const Hit& hit, vec3 direction) {
     return {offset_ray_origin(hit, direction), direction};
 }
 
-/// The segment from the hit to `target`: t runs from 0 to 1, so nothing beyond the target counts. It starts on
-/// the side that the ray came from, which is the one that is lit: a target behind the surface is hidden by it.
+/// Returns the segment from the hit to `target`: t runs from 0 to 1, so nothing beyond the target counts. It
+/// starts on the side that the ray came from, which is the lit one: the surface hides a target behind it.
 inline Ray spawn_ray_to(const Hit& hit, vec3 target) {
     //> start beside the surface, and let the direction be the whole way
     const vec3 start = offset_ray_origin(hit, hit.geometric_normal);

@@ -1,4 +1,4 @@
-// A parallelogram: a mirror on the wall, and later a lamp in the ceiling.
+// A parallelogram: here a mirror on the wall, later a light in the ceiling.
 #pragma once
 
 #include "01_spheres/hit.h"
@@ -13,7 +13,7 @@ struct Quad {
     int material;
 };
 
-/// u and v of a point in the quad's plane. With n = U x V and p = P - corner = u U + v V:
+/// Returns u and v of a point in the quad's plane. With n = U x V and p = P - corner = u U + v V:
 ///     u = (p x V).n / n.n,   v = (U x p).n / n.n.
 inline vec2 quad_uv(const Quad& quad, dvec3 point) {
     const dvec3 u(quad.edge_u), v(quad.edge_v), p = point - dvec3(quad.corner);
@@ -21,13 +21,13 @@ inline vec2 quad_uv(const Quad& quad, dvec3 point) {
     return vec2(glm::dvec2(dot(cross(p, v), normal), dot(cross(u, p), normal)) / dot(normal, normal));
 }
 
-/// The t at which the ray meets the plane of the quad. In double, as the other shapes.
+/// Returns the t at which the ray hits the plane of the quad. In double, like the other shapes.
 inline double plane_t(const Quad& quad, const Ray& ray) {
     const dvec3 normal = cross(dvec3(quad.edge_u), dvec3(quad.edge_v));
     return dot(dvec3(quad.corner) - dvec3(ray.origin), normal) / dot(dvec3(ray.direction), normal);
 }
 
-/// The same, if it does so within the four edges.
+/// Returns the same t if the point is inside the four edges.
 inline std::optional<float> intersect(const Quad& quad, const Ray& ray) {
     const double t = plane_t(quad, ray);
     if (!contains(ray, float(t))) return std::nullopt;

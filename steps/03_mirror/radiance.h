@@ -1,4 +1,4 @@
-// How light travels, in step 03: mirrors send the question on, up to a stated number of times.
+// How light travels, in step 03: mirrors recurse, up to a maximum depth.
 #pragma once
 
 #include "02_shadows/point_light.h"
@@ -10,7 +10,7 @@ namespace rt {
 template <Occludable S>
 vec3 radiance(const S& scene, const Ray& ray, int bounces_left);
 
-/// What material number `material` makes of the hit.
+/// Shades the hit with `scene.materials[material]`.
 template <Occludable S>
 vec3 shade(const S& scene, const Ray& ray, const Hit& hit, int material, int bounces_left) {
     const auto trace_reflected = [&] { return radiance(scene, reflected_ray(ray, hit), bounces_left - 1); };
@@ -24,8 +24,8 @@ vec3 shade(const S& scene, const Ray& ray, const Hit& hit, int material, int bou
         });
 }
 
-/// The radiance that comes back along the ray, W / (m^2 sr), linear RGB. `bounces_left` is how many more
-/// mirrors it may meet; the light beyond the last one is left out, so that the answer is never too bright.
+/// Returns the radiance arriving along the ray, W / (m^2 sr), linear RGB. `bounces_left` is how many more
+/// mirrors it may hit; light beyond the last one is left out, so the result is never too bright.
 template <Occludable S>
 vec3 radiance(const S& scene, const Ray& ray, int bounces_left) {
     if (bounces_left < 0) return vec3(0);

@@ -1,4 +1,5 @@
-// What a ray can hit, one vector per kind of shape: which of them it hits first, and whether any is in its way.
+// What a ray can hit, one vector per kind of shape: which of them it hits first, and whether any is in its
+// way.
 #pragma once
 
 #include "01_spheres/plane.h"
@@ -19,8 +20,8 @@ struct Shapes {
     std::vector<Quad> quads;
 };
 
-/// What the ray meets first. Each hit shortens the ray, so the last one found is the closest; only that one
-/// is worked out in full.
+/// Returns the closest hit. Each hit shrinks t_max, so the last accepted hit is the closest. Full surface
+/// data are computed for that one only.
 inline std::optional<Hit> intersect(const Shapes& shapes, Ray ray) {
     ++ray_stats.rays;
     std::variant<std::monostate, const Sphere*, const Plane*, const Quad*> closest;
@@ -40,7 +41,7 @@ inline std::optional<Hit> intersect(const Shapes& shapes, Ray ray) {
         [&](const auto* shape) { return std::optional(surface_hit(*shape, ray)); });
 }
 
-/// Whether anything at all stands in the ray's interval: the first shape that does ends the search.
+/// Returns whether any shape is hit in the ray's interval; the first one found ends the search.
 inline bool occluded(const Shapes& shapes, const Ray& ray) {
     ++ray_stats.rays;
     //> true as soon as one shape is hit, whichever it is

@@ -1,5 +1,4 @@
-// Glass: refraction, total internal reflection, the exact Fresnel equations, and colour that grows with
-// depth.
+// Dielectrics (glass, water): refraction, total internal reflection, the Fresnel equations, absorption.
 #pragma once
 
 #include "03_mirror/mirror.h"
@@ -8,28 +7,27 @@
 
 namespace rt {
 
-/// What light travels in.
+/// A medium that light travels in.
 struct Medium {
     float ior = 1;                  ///< index of refraction: 1 air, 1.333 water, 1.5 glass, 2.417 diamond
     vec3 absorption_coefficient{0}; ///< sigma_a, 1/m; what is left after d metres is exp(-sigma_a d)
 };
 
-/// A clear boundary between two media. It names both, so that a bubble of air in glass is simply {air,
-/// glass}.
+/// A smooth interface between two media. It names both, so a bubble of air in glass is {air, glass}.
 struct Dielectric {
     Medium interior;
     Medium exterior{};
 };
 
-/// The share of the light that is left after `distance` metres (Beer-Lambert).
+/// Returns the fraction of the light that is left after `distance` metres (Beer-Lambert).
 inline vec3 transmittance(vec3 absorption_coefficient, float distance) {
     //> e to the minus absorption times distance
     return exp(-absorption_coefficient * distance);
     //< return vec3(1);
 }
 
-/// Snell: sin_t = eta sin_i with eta = n_i / n_t, as the cosine cos_t >= 0. Nothing if the light cannot
-/// leave: total internal reflection. cos_i in [0, 1].
+/// Snell's law: sin_t = eta sin_i with eta = n_i / n_t. Returns cos_t >= 0, or nothing for total internal
+/// reflection. cos_i in [0, 1].
 inline std::optional<float> cos_transmitted(float cos_i, float eta) {
     //> from 1 - cos_t^2 = eta^2 (1 - cos_i^2), in an order that gives cos_t = cos_i where eta is 1
     const float cos_t_squared = (1 - eta * eta) + eta * eta * cos_i * cos_i;
@@ -38,8 +36,8 @@ inline std::optional<float> cos_transmitted(float cos_i, float eta) {
     //< return cos_i;
 }
 
-/// The share of unpolarised light that a boundary between two clear media reflects, in [0, 1]: the mean of
-/// Fresnel's two polarisations, r_s = (eta c_i - c_t) / (eta c_i + c_t) and r_p = (c_i - eta c_t) / (c_i +
+/// Returns the reflectance of a smooth interface for unpolarised light, in [0, 1]: the mean of Fresnel's two
+/// polarisations, r_s = (eta c_i - c_t) / (eta c_i + c_t) and r_p = (c_i - eta c_t) / (c_i +
 /// eta c_t), squared.
 inline float fresnel_dielectric(float cos_i, float eta) {
     //> 1 if nothing gets through, otherwise the mean of the two squares
@@ -51,8 +49,9 @@ inline float fresnel_dielectric(float cos_i, float eta) {
     //< return 0;
 }
 
-/// The direction beyond the boundary, of the same length as `direction`; `normal` is unit and faces it.
-/// Snell in vector form: the tangent part shrinks by eta, the rest goes along -n.
+/// Returns the refracted direction, of the same length as `direction`, or nothing for total internal
+/// reflection. `normal` is unit and faces `direction`. Snell in vector form: the tangent part is scaled by
+/// eta.
 inline std::optional<vec3> refract(vec3 direction, vec3 normal, float eta) {
     const float magnitude = length(direction);
     const float cos_i = glm::min(-dot(direction, normal) / magnitude, 1.0f);
@@ -63,8 +62,7 @@ inline std::optional<vec3> refract(vec3 direction, vec3 normal, float eta) {
     //< return direction;
 }
 
-/// What a glass boundary does with a ray: how much it reflects, what lies on the ray's side, and what lies
-/// beyond.
+/// An interface as a ray meets it: its reflectance, the medium on the ray's side and the one beyond.
 struct Interface {
     Medium incident_medium;
     Medium transmitted_medium;
@@ -79,7 +77,7 @@ inline Interface make_interface(const Dielectric& dielectric, const Ray& ray, co
     return {incident, transmitted, fresnel_dielectric(cos_i, incident.ior / transmitted.ior)};
 }
 
-/// The ray that goes on through the boundary, if any does.
+/// Returns the refracted ray, or nothing for total internal reflection.
 inline std::optional<Ray> refracted_ray(const Ray& ray, const Hit& hit, const Interface& interface) {
     const auto direction = refract(ray.direction, hit.shading_normal,
                                    interface.incident_medium.ior / interface.transmitted_medium.ior);

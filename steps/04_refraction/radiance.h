@@ -1,4 +1,4 @@
-// How light travels, in step 04: at glass it takes both ways, and on its way it is absorbed.
+// How light travels, in step 04: glass splits a ray into a reflected and a refracted one; media absorb.
 #pragma once
 
 #include "02_shadows/point_light.h"
@@ -11,7 +11,7 @@ namespace rt {
 template <Occludable S>
 vec3 radiance(const S& scene, const Ray& ray, int bounces_left, vec3 absorption = vec3(0));
 
-/// What material number `material` makes of the hit.
+/// Shades the hit with `scene.materials[material]`.
 template <Occludable S>
 vec3 shade(const S& scene, const Ray& ray, const Hit& hit, int material, int bounces_left, vec3 absorption) {
     const auto trace_reflected = [&] {
@@ -36,11 +36,11 @@ vec3 shade(const S& scene, const Ray& ray, const Hit& hit, int material, int bou
         });
 }
 
-/// The radiance that comes back along the ray, W / (m^2 sr), linear RGB. `bounces_left` is how many more
-/// mirrors and glass boundaries it may meet; the light beyond the last one is left out, so that the answer is
-/// never too bright. `absorption` is that of the medium the ray travels in. Within a medium of index n the
-/// answer is the basic radiance L / n^2, which refraction leaves as it is (Nicodemus 1963). Shortcut: glass
-/// casts a full shadow.
+/// Returns the radiance arriving along the ray, W / (m^2 sr), linear RGB. `bounces_left` is how many more
+/// mirrors and interfaces it may hit; light beyond the last one is left out, so the result is never too
+/// bright. `absorption` is that of the medium the ray travels in. In a medium of index n the result is the
+/// basic radiance L / n^2, which refraction does not change (Nicodemus 1963). Shortcut: glass casts a full
+/// shadow.
 template <Occludable S>
 vec3 radiance(const S& scene, const Ray& ray, int bounces_left, vec3 absorption) {
     if (bounces_left < 0) return vec3(0);

@@ -1,4 +1,4 @@
-// Axis-aligned boxes: the cheap question asked before the dear one.
+// Axis-aligned bounding boxes: a cheap test that lets a ray skip expensive ones.
 #pragma once
 
 #include "01_spheres/sphere.h"
@@ -7,7 +7,7 @@
 
 namespace rt {
 
-/// Empty until it is extended: min above max.
+/// Empty until it is extended: min > max.
 struct Aabb {
     vec3 min{infinity};
     vec3 max{-infinity};
@@ -31,14 +31,14 @@ inline vec3 centroid(const Aabb& box) {
     return (box.min + box.max) / 2.0f;
 }
 
-/// Half the surface, which is in proportion to the chance that a random line through the parent meets it. 0
+/// Returns half the surface area, to which the probability that a random line hits the box is proportional; 0
 /// if empty.
 inline float half_area(const Aabb& box) {
     const vec3 size = max(box.max - box.min, vec3(0));
     return size.x * size.y + size.y * size.z + size.z * size.x;
 }
 
-/// A ray as the slab test wants it: one division an axis instead of one a box.
+/// A ray prepared for the slab test: one division per axis instead of one per box.
 struct SlabRay {
     vec3 origin;
     vec3 inverse_direction; ///< 1 / direction; +-infinity along an axis where the ray stands still
@@ -48,9 +48,9 @@ inline SlabRay slab_ray(const Ray& ray) {
     return {ray.origin, 1.0f / ray.direction};
 }
 
-/// The t at which a ray enters the box, or nothing if it misses it within [t_min, t_max] (Kay and Kajiya
-/// 1986). A ray in the plane of a face hits: there 0 * infinity gives NaN, and a comparison with NaN, in this
-/// order, changes nothing. The exit is moved out by two roundings, so that no hit on the very edge is lost
+/// Returns the t at which a ray enters the box, or nothing if it misses it within [t_min, t_max] (Kay and
+/// Kajiya 1986). A ray in the plane of a face hits: there 0 * infinity gives NaN, and a comparison with NaN,
+/// in this order, changes nothing. The exit is padded by two roundings, so that no hit on an edge is lost
 /// (Ize 2013).
 inline std::optional<float> intersect(const Aabb& box, const SlabRay& ray, float t_min, float t_max) {
     //> for each axis: when does the ray come in, when does it go out? Keep the last entry and the first exit

@@ -1,4 +1,4 @@
-// A bounding volume hierarchy: boxes in boxes, so that a ray asks a handful of shapes instead of all of them.
+// A bounding volume hierarchy: nested boxes, so that a ray tests a handful of shapes instead of all of them.
 #pragma once
 
 #include "05_mesh_bvh/aabb.h"
@@ -22,13 +22,13 @@ struct BvhNode {
     std::uint32_t count = 0;
 };
 
-/// It knows boxes and numbers, never a triangle: so it serves whatever has a box.
+/// It knows boxes and indices, never a triangle, so it works for any shape that has a box.
 struct Bvh {
     std::vector<BvhNode> nodes;                   ///< the root is nodes[0]; empty without shapes
     std::vector<std::uint32_t> primitive_indices; ///< the numbers of the shapes, those of a leaf side by side
 };
 
-/// Where to cut a set of shapes in two, and what a ray through both halves is expected to cost.
+/// Where to split a set of shapes, and the expected cost of a ray through both halves.
 struct Split {
     int axis = -1;
     float position = 0; ///< shapes whose middle lies below it go left
@@ -39,7 +39,8 @@ inline constexpr int bin_count = 16;
 inline constexpr float sah_traversal_cost = 0.5f; ///< of one box test, in triangle tests
 inline constexpr std::uint32_t max_leaf_size = 8; ///< never more shapes in a leaf
 
-/// The cut along `axis` with the least surface area heuristic, among the borders of equal bins (Wald 2007):
+/// Returns the split along `axis` with the least surface area heuristic, among the borders of equal bins
+/// (Wald 2007):
 ///     cost = (area_left count_left + area_right count_right) / area_parent.
 inline Split find_best_split(std::span<const std::uint32_t> shapes, std::span<const Aabb> boxes,
                              const Aabb& centroid_bounds, float parent_area, int axis) {
@@ -76,8 +77,8 @@ inline Split find_best_split(std::span<const std::uint32_t> shapes, std::span<co
     //< return {axis, begin + bin_count / 2 * width, 0};
 }
 
-/// Orders `shapes` so that those left of the best cut come first and answers how many they are; 0 means that
-/// a leaf is better. Where no cut helps but the leaf would be too large, it halves by the longest axis.
+/// Partitions `shapes` by the best SAH split and returns the size of the left part, or 0 to make a leaf.
+/// Falls back to a median split on the longest axis if no split helps and the leaf would be too large.
 inline std::size_t partition(std::span<std::uint32_t> shapes, std::span<const Aabb> boxes, const Aabb& box,
                              int depth) {
     Aabb centroid_bounds;
@@ -106,8 +107,8 @@ inline std::size_t partition(std::span<std::uint32_t> shapes, std::span<const Aa
     return shapes.size() / 2;
 }
 
-/// Makes node number `node` of the shapes primitive_indices[first_index] to
-/// primitive_indices[first_index + count - 1], and all below it.
+/// Builds node `node` over the shapes primitive_indices[first_index] to
+/// primitive_indices[first_index + count - 1], and everything below it.
 inline void build_node(Bvh& bvh, std::span<const Aabb> boxes, std::uint32_t node, std::uint32_t first_index,
                        std::uint32_t count, int depth) {
     const std::span<std::uint32_t> shapes(bvh.primitive_indices.data() + first_index, count);
@@ -126,7 +127,7 @@ inline void build_node(Bvh& bvh, std::span<const Aabb> boxes, std::uint32_t node
     build_node(bvh, boxes, left + 1, first_index + left_count, count - left_count, depth + 1);
 }
 
-/// The hierarchy over shapes 0, 1, ... with these boxes. The same boxes give the same tree.
+/// Builds the hierarchy over shapes 0, 1, ... with these boxes. Equal boxes give equal trees.
 inline Bvh build_bvh(std::span<const Aabb> boxes) {
     Bvh bvh;
     if (boxes.empty()) return bvh;
@@ -138,16 +139,16 @@ inline Bvh build_bvh(std::span<const Aabb> boxes) {
     return bvh;
 }
 
-/// Calls leaf(number) for every shape whose box the ray enters, nearest boxes first. The leaf function
-/// shortens `ray` when it finds a hit, and boxes beyond are then passed over; it answers true to end the
-/// search (a shadow ray's first hit).
+/// Calls leaf(index) for every shape whose box the ray enters, closest boxes first. The leaf function shrinks
+/// ray.t_max when it finds a hit, and boxes beyond are then skipped; it returns true to end the traversal
+/// (the first hit of a shadow ray).
 template <typename Leaf>
 void traverse(const Bvh& bvh, const Ray& ray, Leaf&& leaf) {
     struct StackEntry {
         std::uint32_t node;
         float t;
     };
-    std::array<StackEntry, 96> stack; // the tree is no deeper than 48 levels of cuts and 32 of halving
+    std::array<StackEntry, 96> stack; // at most 48 levels of SAH splits and 32 of halving
     int size = 0;
     const SlabRay slab = slab_ray(ray);
     const auto intersect_box = [&](std::uint32_t node) {

@@ -1,4 +1,4 @@
-// Triangles by the thousand: corners shared by number, normals that make them look smooth.
+// Triangle meshes: shared vertices by index, and normals that make them look smooth.
 #pragma once
 
 #include "01_spheres/hit.h"
@@ -16,7 +16,7 @@
 
 namespace rt {
 
-/// All meshes of a scene in one: flat arrays, and numbers instead of pointers.
+/// All meshes of a scene in one: flat arrays, and indices instead of pointers.
 struct Mesh {
     std::vector<vec3> positions;                         ///< one a vertex
     std::vector<vec3> normals;                           ///< unit, one a vertex
@@ -27,7 +27,7 @@ struct Mesh {
     dvec3 origin{0}; ///< of the positions, in the coordinates of the file that came first
 };
 
-/// The part of a hit that a search keeps.
+/// What traversal keeps of a hit; the rest is computed for the closest one only.
 struct MeshHit {
     const Mesh* mesh;
     std::uint32_t triangle;
@@ -55,7 +55,7 @@ inline Aabb bounds(const Mesh& mesh) {
     return box;
 }
 
-/// A value given at the corners, at the point with these barycentric weights.
+/// Interpolates a value given at the vertices, at the point with these barycentric weights.
 template <typename Value>
 Value interpolate_barycentric(const std::vector<Value>& values, const std::array<std::uint32_t, 3>& corner,
                               float u, float v) {
@@ -64,8 +64,8 @@ Value interpolate_barycentric(const std::vector<Value>& values, const std::array
     //< return values[corner[0]];
 }
 
-/// An interpolated normal may turn so far that a mirror would send the ray into the surface. Then it is bent
-/// back until the reflected ray just clears the true surface. All unit, both normals on the ray's side.
+/// Returns the shading normal, bent toward the geometric one as far as is needed for a reflected ray to leave
+/// the surface. All vectors are unit, both normals on the ray's side.
 inline vec3 ensure_valid_reflection(vec3 direction, vec3 shading_normal, vec3 geometric_normal) {
     const vec3 reflected = reflect(direction, shading_normal);
     const float cos_reflected = dot(reflected, geometric_normal);
@@ -74,7 +74,7 @@ inline vec3 ensure_valid_reflection(vec3 direction, vec3 shading_normal, vec3 ge
     return normalize(normalize(reflected + (min_cos - cos_reflected) * geometric_normal) - direction);
 }
 
-/// The hit at ray.t_max, where the ray was found to meet a triangle.
+/// Returns the surface data of the hit with a triangle at ray.t_max.
 inline Hit surface_hit(const MeshHit& mesh_hit, const Ray& ray) {
     const Mesh& mesh = *mesh_hit.mesh;
     const auto& corner = mesh.triangles[mesh_hit.triangle];
@@ -89,9 +89,8 @@ inline Hit surface_hit(const MeshHit& mesh_hit, const Ray& ray) {
     return hit;
 }
 
-/// Appends what the file holds to `mesh`; its material m becomes number material_ids[m]. Normals that it
-/// does not give are made by smooth_normals(); uvs that it does not give are (0, 0). A file whose origin is
-/// another than the mesh's is moved.
+/// Appends a model to `mesh`; its material m becomes material_ids[m]. Missing normals are computed by
+/// smooth_normals(), missing uvs are (0, 0). A model with another origin than the mesh is moved.
 inline void append_model(Mesh& mesh, const ObjModel& file, const std::vector<int>& material_ids,
                          float crease_angle) {
     const bool has_all_normals = std::ranges::all_of(file.triangles, [](const auto& triangle) {
@@ -105,16 +104,16 @@ inline void append_model(Mesh& mesh, const ObjModel& file, const std::vector<int
     const auto moved = [&, translation = file.origin - mesh.origin](vec3 p) {
         return vec3(dvec3(p) + translation);
     };
-    if (!file.colors.empty()) mesh.colors.resize(begin, vec3(1)); // what came before has none
+    if (!file.colors.empty()) mesh.colors.resize(begin, vec3(1)); // earlier models have none
     IndexMap vertex_map(file.positions.size());
-    std::vector<ObjIndex> vertices; // one a vertex of this file: a corner where it stands
+    std::vector<ObjIndex> vertices; // one per vertex of this file: a corner that refers to it
     const auto vertex = [&](const ObjIndex& corner, vec3 normal) {
         const auto same = [&](std::uint32_t n) {
             return vertices[n].position == corner.position && vertices[n].uv == corner.uv &&
                    mesh.normals[begin + n] == normal;
         };
-        // Neighbours in the file stay neighbours in the table, and in the cache; yet a tip of many normals
-        // spreads.
+        // Hash mostly by position, so that nearby vertices share cache lines; mix in some bits of the normal,
+        // so that a vertex with many normals (the tip of a cone) does not become one long chain.
         const std::uint32_t n = vertex_map(hash_vec3(normal) % 1024 + std::uint64_t(corner.position), same);
         if (n == vertices.size()) {
             vertices.push_back(corner);
@@ -139,8 +138,8 @@ inline void append_model(Mesh& mesh, const ObjModel& file, const std::vector<int
     if (!mesh.colors.empty()) mesh.colors.resize(mesh.positions.size(), vec3(1));
 }
 
-/// Moves a model before it is added to a scene: scaled, turned about the y axis (degrees, from +z towards
-/// +x), shifted. Its coordinates are the scene's from then on.
+/// Transforms a model before it is added to a scene: scales it, rotates it about the y axis (degrees, from +z
+/// toward +x), translates it. Afterwards its coordinates are the scene's.
 inline void transform(ObjModel& file, float scale, float rotation_y, vec3 translation) {
     const float c = std::cos(glm::radians(rotation_y)), s = std::sin(glm::radians(rotation_y));
     const auto rotated = [&](vec3 p) { return vec3(c * p.x + s * p.z, p.y, c * p.z - s * p.x); };

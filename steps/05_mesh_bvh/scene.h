@@ -1,4 +1,4 @@
-// What the world is made of: shapes, materials by number, lights, and a sky around it all.
+// What the world is made of: shapes, materials by index, lights, and a sky around it all.
 #pragma once
 
 #include "01_spheres/checkerboard.h"
@@ -23,8 +23,7 @@ struct Scene : Shapes {
     std::vector<Material> materials;
 };
 
-/// Puts a material of a model into the scene and answers its number: matte, under a mirror if it is
-/// reflective; or glass.
+/// Appends a material of a model and returns its index: diffuse, coated if it is reflective; or a dielectric.
 inline int add_material(Scene& scene, const ObjMaterial& material) {
     if (material.glass) return add(scene.materials, Dielectric{{material.ior}});
     const int base = add(scene.materials, Diffuse{material.diffuse, material.emission});
@@ -32,7 +31,7 @@ inline int add_material(Scene& scene, const ObjMaterial& material) {
     return add(scene.materials, Coated{material.reflectivity, base});
 }
 
-/// Puts a model into the scene, with its materials. `crease_angle` as in smooth_normals().
+/// Adds a model with its materials. `crease_angle` as in smooth_normals().
 inline void add_model(Scene& scene, const ObjModel& file, float crease_angle) {
     std::vector<int> material_ids;
     for (const ObjMaterial& material : file.materials) material_ids.push_back(add_material(scene, material));

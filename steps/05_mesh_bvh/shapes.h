@@ -1,5 +1,5 @@
-// What a ray can meet, and how it finds the nearest: one vector per kind of shape, and trees over those that
-// are many.
+// What a ray can hit, one vector per kind of shape, with trees over spheres and triangles; closest hit, any
+// hit.
 #pragma once
 
 #include "01_spheres/plane.h"
@@ -17,8 +17,8 @@
 
 namespace rt {
 
-/// How a ray looks for what it meets: by asking every shape, by descending a binary tree, or one with rows of
-/// boxes in its nodes and rows of shapes in its leaves.
+/// How a ray finds what it hits: by testing every shape, by a binary tree, or by a wide tree with many boxes
+/// per node and many shapes per leaf.
 enum class Accel { brute, bvh, wide };
 
 struct Shapes {
@@ -34,11 +34,11 @@ struct Shapes {
     accel::TriangleBvh wide_triangles; ///< those of the mesh, and then the two halves of each quad
 };
 
-/// Builds the trees that `accel` asks for. Call it once, when all shapes are in place. It stands in shapes.cpp, which
-/// is compiled once for all programs.
+/// Builds the trees that `accel` needs. Call it once, after all shapes have been added. It is defined in
+/// shapes.cpp, which is compiled once for all programs.
 void build_bvhs(Shapes& shapes);
 
-/// Calls test(i) for all shapes that the ray may meet, until one returns true.
+/// Calls test(i) for all shapes that the ray may hit, until one returns true.
 template <typename Test>
 void for_each_candidate(Accel accel, const Bvh& tree, std::size_t count, const Ray& ray, Test&& test) {
     if (accel == Accel::bvh) return traverse(tree, ray, test);
@@ -46,10 +46,10 @@ void for_each_candidate(Accel accel, const Bvh& tree, std::size_t count, const R
         if (test(i)) return;
 }
 
-/// What a search keeps of the nearest shape; the end of the ray says where.
+/// The closest shape so far; ray.t_max is where.
 using ClosestShape = std::variant<std::monostate, const Sphere*, const Plane*, const Quad*, MeshHit>;
 
-/// Asks spheres, quads and triangles, one by one or by their binary trees. A hit shortens the ray.
+/// Tests spheres, quads and triangles, one by one or by their binary trees. A hit shrinks ray.t_max.
 inline void closest_hit_binary(const Shapes& shapes, Ray& ray, ClosestShape& closest) {
     const auto test = [&](const auto& shape) {
         if (const auto t = intersect(shape, ray)) {
@@ -74,20 +74,20 @@ inline void closest_hit_binary(const Shapes& shapes, Ray& ray, ClosestShape& clo
     for_each_candidate(shapes.accel, shapes.triangle_bvh, shapes.mesh.triangles.size(), ray, test_triangle);
 }
 
-/// The quad of which a triangle of the wide tree is one half; null for a triangle of the mesh.
+/// Returns the quad of which a triangle of the wide tree is one half; null for a triangle of the mesh.
 inline const Quad* quad_of(const Shapes& shapes, std::uint32_t i) {
     const std::size_t triangles = shapes.mesh.triangles.size();
     return i < triangles ? nullptr : &shapes.quads[(i - triangles) / 2];
 }
 
-/// Counts the tests of the wide trees as those of the others are.
+/// Counts the tests of the wide trees in `ray_stats`.
 struct TallyCounters {
     static void count_boxes(std::size_t count) { ray_stats.box_tests += count; }
     static void count_primitives(std::size_t count) { ray_stats.triangle_tests += count; }
 };
 
-/// The same by the wide trees. They know which shapes the ray may meet; where it meets them is worked out in
-/// double, as above. So all ways give the same picture.
+/// The same by the wide trees. They find which shapes the ray may hit; where it hits them is computed in
+/// double, as above, so every accelerator gives the same image.
 template <typename Counters>
 inline void closest_hit_wide(const Shapes& shapes, Ray& ray, ClosestShape& closest) {
     const auto shorten = [&](float t, auto shape) {
@@ -108,8 +108,8 @@ inline void closest_hit_wide(const Shapes& shapes, Ray& ray, ClosestShape& close
     });
 }
 
-/// What the ray meets first. Each hit shortens the ray, so the last one found is the nearest; only that one
-/// is worked out in full.
+/// Returns the closest hit. Each hit shrinks t_max, so the last accepted hit is the closest. Full surface
+/// data are computed for that one only.
 inline std::optional<Hit> intersect(const Shapes& shapes, Ray ray) {
     ++ray_stats.rays;
     ClosestShape closest;
@@ -131,7 +131,7 @@ inline std::optional<Hit> intersect(const Shapes& shapes, Ray ray) {
         [&](const MeshHit& mesh_hit) { return std::optional(surface_hit(mesh_hit, ray)); });
 }
 
-/// The wide trees' part of occluded().
+/// The part of occluded() that uses the wide trees.
 template <typename Counters>
 inline bool occluded_wide(const Shapes& shapes, const Ray& ray) {
     const auto meets_triangle = [&](const auto& block, std::size_t lane) {
@@ -146,7 +146,7 @@ inline bool occluded_wide(const Shapes& shapes, const Ray& ray) {
            accel::any_hit<Counters>(shapes.wide_spheres, ray, meets_sphere);
 }
 
-/// Whether anything at all stands in the ray's interval: the first shape that does ends the search.
+/// Returns whether any shape is hit in the ray's interval; the first one found ends the search.
 inline bool occluded(const Shapes& shapes, const Ray& ray) {
     ++ray_stats.rays;
     bool hit = false;

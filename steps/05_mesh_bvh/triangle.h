@@ -1,4 +1,4 @@
-// Where a ray meets a triangle.
+// Where a ray hits a triangle (Moller and Trumbore).
 #pragma once
 
 #include "01_spheres/ray.h"
@@ -13,8 +13,8 @@ struct TriangleHit {
     float t, u, v;
 };
 
-/// How far, in barycentric weight, a triangle reaches over its edge: some roundings of a double. In float
-/// and without it, rays that aim at a shared edge slip through between the neighbours.
+/// How far, in barycentric weight, a triangle extends over its edge: a few roundings of a double. In float,
+/// and without it, rays slip through the edge that two triangles share.
 inline constexpr double edge_tolerance = 0x1p-40;
 
 /// Moller and Trumbore 1997: Cramer's rule on  t (-D) + u (B - A) + v (C - A) = O - A.  The determinant is

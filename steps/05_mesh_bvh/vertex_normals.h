@@ -1,4 +1,4 @@
-// Normals for a file that gives none: faces that meet in a point, found by hashing, look round together.
+// Vertex normals: averages the normals of the faces around a vertex; equal positions are found by hashing.
 #pragma once
 
 #include "common/model/obj_file.h"
@@ -13,13 +13,14 @@
 
 namespace rt {
 
-/// Twice the area, along the outward normal. In double: the squares of small numbers vanish in float.
+/// Returns the outward normal, as long as twice the area. In double: squares of small numbers underflow in
+/// float.
 inline dvec3 area_normal(const std::array<vec3, 3>& vertices) {
     const dvec3 a(vertices[0]);
     return cross(dvec3(vertices[1]) - a, dvec3(vertices[2]) - a);
 }
 
-/// Numbers things 0, 1, 2 ... and finds those again that it has met: a hash table whose entries are chained.
+/// Assigns consecutive indices to distinct items: a chained hash table.
 struct IndexMap {
     static constexpr std::uint32_t none = 0xffffffff;
     std::vector<std::uint32_t> heads; ///< by hash: the last thing numbered that has it,
@@ -27,7 +28,7 @@ struct IndexMap {
 
     explicit IndexMap(std::size_t size) : heads(std::bit_ceil(size), none) {}
 
-    /// `same(n)` tells whether thing n is this one. Equal things must come with equal hashes.
+    /// `same(n)` returns whether item n equals this one. Equal items must have equal hashes.
     template <typename Same>
     std::uint32_t operator()(std::uint64_t hash, const Same& same) {
         std::uint32_t& head = heads[hash & (heads.size() - 1)];
@@ -47,17 +48,17 @@ inline std::uint64_t hash_vec3(vec3 v) {
     return h;
 }
 
-/// Corners of triangles (number 3 t + k for corner k of triangle t) by the point where they meet.
+/// Vertex adjacency: the corners of triangles (3 t + k for corner k of triangle t) at each vertex.
 struct VertexCorners {
     std::vector<std::uint32_t> corner; ///< those of one point side by side, in ascending order
     std::vector<std::uint32_t> end;    ///< one a point: where its corners end and the next one's begin
 };
 
-/// Points count as one if their coordinates are equal, since many files repeat them for every face.
+/// Vertices with equal positions count as one, since many files repeat them for every face.
 inline VertexCorners corners_by_vertex(const ObjModel& file) {
     IndexMap position_map(file.positions.size());
     std::vector<vec3> points;
-    std::vector<std::uint32_t> point; // one a position
+    std::vector<std::uint32_t> point; // one per position
     for (const vec3 p : file.positions) {
         point.push_back(position_map(hash_vec3(p), [&](std::uint32_t n) { return points[n] == p; }));
         if (point.back() == points.size()) points.push_back(p);
@@ -76,8 +77,8 @@ inline VertexCorners corners_by_vertex(const ObjModel& file) {
     return corners;
 }
 
-/// Parts the corners of each point by the smoothing groups of their triangles; corners of group 0 are each
-/// alone.
+/// Splits the corners of each vertex by the smoothing groups of their triangles; in group 0 every corner is
+/// on its own.
 inline VertexCorners split_by_smoothing_group(VertexCorners corners, const std::vector<int>& groups) {
     if (groups.empty()) return corners;
     const auto group = [&](std::uint32_t i) { return groups[corners.corner[i] / 3]; };
@@ -93,13 +94,13 @@ inline VertexCorners split_by_smoothing_group(VertexCorners corners, const std::
     return corners;
 }
 
-/// The faces that meet in a point, as area normals: for each the sum of those, itself among them, that differ
-/// from it by no more than the angle `crease_angle`, in radians.
+/// For each face around a vertex, given by its area normal: the sum of the normals, its own included, that
+/// differ from it by at most `crease_angle`, in radians.
 inline std::vector<dvec3> smoothed_normals_at_vertex(const std::vector<dvec3>& faces, float crease_angle) {
     const dvec3 all = std::accumulate(faces.begin(), faces.end(), dvec3(0));
     const double min_dot_all = (std::cos(crease_angle / 2) + 1e-5) * length(all);
     const auto within_half_crease = [&](dvec3 face) { return dot(face, all) > min_dot_all * length(face); };
-    // None differs by half from their sum: no two by more than all.
+    // Every face is within crease / 2 of the sum, so no pair differs by more than crease.
     if (std::ranges::all_of(faces, within_half_crease)) return std::vector<dvec3>(faces.size(), all);
 
     std::vector<double> lengths;
@@ -115,9 +116,9 @@ inline std::vector<dvec3> smoothed_normals_at_vertex(const std::vector<dvec3>& f
     return sums;
 }
 
-/// A normal for each corner of each triangle of a file that gives none. Faces that meet in a point are
-/// smoothed together, weighted by area, unless they differ by more than `crease_angle` degrees: so a ball is round
-/// and a cube keeps its edges; or unless the file puts them into different smoothing groups, or into none.
+/// Returns a normal for each corner of each triangle of a model. Faces around a vertex are averaged, weighted
+/// by area, unless they differ by more than `crease_angle` degrees (a sphere is smooth, a cube keeps its
+/// edges), or unless the file puts them into different smoothing groups, or into none.
 inline std::vector<std::array<vec3, 3>> smooth_normals(const ObjModel& file, float crease_angle) {
     const auto face = [&](std::uint32_t t) {
         const auto& [a, b, c] = file.triangles[t];

@@ -1,4 +1,4 @@
-// What the world is made of: shapes, materials by number, lights, and a sky around it all.
+// What the world is made of: shapes, materials by index, lights, and a sky around it all.
 #pragma once
 
 #include "01_spheres/checkerboard.h"
@@ -25,8 +25,8 @@ struct Scene : CutOutShapes {
     std::vector<Texture> textures;
 };
 
-/// Puts a material of a model into the scene and answers its number: matte or textured, under a mirror if it
-/// is reflective; or glass. The model's textures start at number `first_texture`.
+/// Appends a material of a model and returns its index: diffuse or textured, coated if it is reflective; or a
+/// dielectric. The model's textures start at index `first_texture`.
 inline int add_material(Scene& scene, const ObjMaterial& material, int first_texture) {
     if (material.glass) return add(scene.materials, Dielectric{{material.ior}});
     const int base = material.texture < 0
@@ -37,7 +37,7 @@ inline int add_material(Scene& scene, const ObjMaterial& material, int first_tex
     return add(scene.materials, Coated{material.reflectivity, base});
 }
 
-/// Puts a model into the scene, with its materials, textures and masks. A material that glows has no holes.
+/// Adds a model with its materials, textures and masks. An emissive material has no holes.
 /// `crease_angle` as in smooth_normals().
 inline void add_model(Scene& scene, const ObjModel& file, float crease_angle) {
     const int first_texture = int(scene.textures.size());

@@ -1,4 +1,4 @@
-// Pictures on surfaces: decoded to linear light once, looked up between their texels.
+// Image textures: decoded to linear light once, looked up bilinearly.
 #pragma once
 
 #include "01_spheres/diffuse.h"
@@ -9,22 +9,23 @@
 
 namespace rt {
 
-/// sRGB value in [0, 1] to linear light in [0, 1] (IEC 61966-2-1: a linear toe, then a power of 2.4).
+/// Converts an sRGB value in [0, 1] to linear light in [0, 1] (IEC 61966-2-1: a linear toe, then a power of
+/// 2.4).
 inline float linear_from_srgb(float value) {
     //> the toe up to .04045 is a straight line of slope 1/12.92
     return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
     //< return value;
 }
 
-/// Linear RGB, row by row from the top. uv (0, 0) is the lower left corner of the picture and (1, 1) the
-/// upper right.
+/// Linear RGB, row by row from the top. uv (0, 0) is the lower left corner of the image, (1, 1) the upper
+/// right.
 struct Texture {
     int width = 0;
     int height = 0;
     std::vector<vec3> texels;
 };
 
-/// Decodes a file's values once, so that all that follows is done in linear light.
+/// Decodes a file's values, so that everything after it is in linear light.
 inline Texture make_texture(const Bitmap& bitmap) {
     Texture texture{bitmap.width, bitmap.height, std::vector<vec3>(bitmap.values.size() / 3)};
     for (std::size_t i = 0; i < bitmap.values.size(); ++i)
@@ -32,7 +33,7 @@ inline Texture make_texture(const Bitmap& bitmap) {
     return texture;
 }
 
-/// `index` brought into [0, size): the picture repeats in both directions, negative ones too.
+/// Returns `index` modulo size, in [0, size), also for negative indices: the image repeats.
 inline int wrap(int index, int size) {
     //> the remainder of a division that rounds down
     const int remainder = index % size;
@@ -40,15 +41,15 @@ inline int wrap(int index, int size) {
     //< return glm::clamp(index, 0, size - 1);
 }
 
-/// The texel in column x from the left and row y from the BOTTOM, of the picture repeated for ever.
+/// Returns the texel in column x from the left and row y from the BOTTOM of the repeated image.
 inline vec3 texel(const Texture& texture, int x, int y) {
     const int column = wrap(x, texture.width);
     const int row = texture.height - 1 - wrap(y, texture.height);
     return texture.texels[std::size_t(row) * std::size_t(texture.width) + std::size_t(column)];
 }
 
-/// The texture at uv: a blend of the four nearest texels. A texel's value holds in its middle, half a texel
-/// from its corner.
+/// Returns the texture at uv, interpolated between the four nearest texels. A texel's value is that at its
+/// center, half a texel from its corner.
 inline vec3 bilinear(const Texture& texture, vec2 uv) {
     //> from uv to texels, half a texel back, and the four weights from what floor leaves over
     const vec2 texel_position = fract(uv) * vec2(texture.width, texture.height) - 0.5f;
@@ -61,7 +62,7 @@ inline vec3 bilinear(const Texture& texture, vec2 uv) {
     //< return texel(texture, 0, 0);
 }
 
-/// A matte surface whose albedo is a picture, repeated `uv_scale` times in u and in v.
+/// A diffuse surface whose albedo is an image, repeated `uv_scale` times in u and in v.
 struct ImageTexture {
     int texture;      ///< index into the scene's textures
     vec3 tint{1};     ///< multiplies the picture

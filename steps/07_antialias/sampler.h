@@ -1,5 +1,4 @@
-// Sampler: the numbers that a sample of a pixel asks for, spread as evenly over the samples of the pixel as
-// one likes.
+// The sampler: draws the numbers of a pixel's samples at random, stratified, or from a Sobol sequence.
 #pragma once
 
 #include "07_antialias/stratified.h"
@@ -11,10 +10,10 @@ namespace rt {
 
 enum class SamplerKind { random, stratified, sobol };
 
-/// Use it in place of Random: each call takes the next dimension of the sample (uniform2() the next two,
-/// which are even together). Over the samples of a pixel every dimension is spread evenly, and no dimension
-/// knows of another: the samples go through each in an order of its own (padding: Kollig and Keller 2002). A
-/// dimension is the number of the call, so samples that ask in the same order profit most.
+/// Use it instead of Random: each call takes the next dimension of the sample (uniform2() the next two, which
+/// are evenly distributed together). Each dimension is evenly distributed over the samples of a pixel.
+/// Dimensions are decorrelated by a random permutation of the samples for each (padding: Kollig and Keller
+/// 2002). Samples that make their calls in the same order profit most.
 class Sampler {
   public:
     Sampler(SamplerKind chosen, const PixelSample& sample)
@@ -24,13 +23,13 @@ class Sampler {
     /// Plain random numbers.
     explicit Sampler(const Random& numbers) : random(numbers) {}
 
-    /// A number in [0, 1). On a line, cells are as even as any points can be: Sobol has nothing to add.
+    /// Draws a number in [0, 1). In one dimension no points are more even than strata: Sobol adds nothing.
     float uniform() {
         if (kind == SamplerKind::random) return random.uniform();
         return stratified_1d(permutation_element(index, count, dimension_key.bits()), count, random);
     }
 
-    /// A point in the unit square [0, 1)^2.
+    /// Draws a point of the unit square [0, 1)^2.
     vec2 uniform2() {
         if (kind == SamplerKind::random) return random.uniform2();
         const int shuffled_index = permutation_element(index, count, dimension_key.bits());

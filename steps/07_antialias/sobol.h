@@ -1,4 +1,5 @@
-// Sobol points: so even that any 2^k of them, in order, put one into every box of area 2^-k.
+// Sobol points, a low-discrepancy sequence: the first 2^k points have one in every elementary box of area
+// 2^-k.
 #pragma once
 
 #include "common/math/random.h"
@@ -13,9 +14,9 @@ constexpr std::uint32_t reverse_bits(std::uint32_t bits) {
     return (bits & 0x55555555u) << 1 | (bits & 0xaaaaaaaau) >> 1;
 }
 
-/// The second coordinate of Sobol point `index` (Sobol 1967), its digits reversed: bit 0 counts 1/2, bit 1
-/// counts 1/4. (The first coordinate, reversed, is `index` itself: van der Corput 1935.) Digit r is the sum
-/// mod 2 of C(j, r) times bit j of the index, and C(j, r) is odd where r has no bit that j lacks (Lucas
+/// Returns the second coordinate of Sobol point `index` (Sobol 1967), its digits reversed: bit 0 counts 1/2,
+/// bit 1 counts 1/4. (The first coordinate, reversed, is `index` itself: van der Corput 1935.) Digit r is the
+/// sum mod 2 of C(j, r) times bit j of the index, and C(j, r) is odd where r has no bit that j lacks (Lucas
 /// 1878), so five halvings make the whole sum.
 constexpr std::uint32_t sobol_dimension_1(std::uint32_t index) {
     //> fold each half of the bits onto the other, for halves of 16, 8, 4, 2 and 1
@@ -27,9 +28,9 @@ constexpr std::uint32_t sobol_dimension_1(std::uint32_t index) {
     //< return index;
 }
 
-/// Owen's nested scrambling (1995) of digits that are reversed: every bit is flipped or not as the bits below
-/// it and the key say, so that boxes go to boxes. By sums and products, whose carries only go up: Laine and
-/// Karras 2011; for Sobol points Burley 2020 (JCGT 9(4)); these constants Vegdahl 2021.
+/// Owen's nested scrambling (1995) of reversed digits: whether a bit is flipped depends on the key and the
+/// bits below it, so that boxes are mapped to boxes. By sums and products, whose carries only go up: Laine
+/// and Karras 2011; for Sobol points Burley 2020 (JCGT 9(4)); these constants Vegdahl 2021.
 constexpr std::uint32_t owen_scramble(std::uint32_t reversed, std::uint32_t key) {
     reversed ^= reversed * 0x3d20adeau;
     reversed += key;
@@ -38,12 +39,13 @@ constexpr std::uint32_t owen_scramble(std::uint32_t reversed, std::uint32_t key)
     return reversed ^ reversed * 0x53a22864u;
 }
 
-/// The number in [0, 1) with these binary digits: 24 of them, all that a float holds, so that it is never 1.
+/// Returns the number in [0, 1) with these binary digits; 24 of them, all that a float holds, so it is never
+/// 1.
 constexpr float to_unit_float(std::uint32_t reversed) {
     return float(reverse_bits(reversed) >> 8) * 0x1p-24f;
 }
 
-/// Sobol point `index` in [0, 1)^2, both coordinates scrambled as the key says.
+/// Returns Sobol point `index` in [0, 1)^2, both coordinates scrambled by the key.
 inline vec2 owen_sobol_2d(std::uint32_t index, std::uint64_t key) {
     return {to_unit_float(owen_scramble(index, std::uint32_t(key))),
             to_unit_float(owen_scramble(sobol_dimension_1(index), std::uint32_t(key >> 32)))};

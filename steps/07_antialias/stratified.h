@@ -1,4 +1,4 @@
-// Stratified samples: each in a cell of its own, the cells in an order of their own for every pixel.
+// Stratified samples: one per cell, the cells in a random order that differs from pixel to pixel.
 #pragma once
 
 #include "common/math/random.h"
@@ -8,9 +8,9 @@
 
 namespace rt {
 
-/// Sample `index` of `count` somewhere in its own cell of the unit square. All cells have the area 1 / count,
-/// for any count: floor(sqrt(count)) rows share the samples as evenly as they can, and each row is as high as
-/// its share.
+/// Returns a random point in cell `index` of `count` of the unit square. All cells have the area 1 / count,
+/// for any count: floor(sqrt(count)) rows divide the samples as evenly as possible, and the height of each is
+/// its fraction.
 inline vec2 stratified_2d(int index, int count, Random& random) {
     //> find the row and column of the cell, then a random point in it
     const int rows = int(std::sqrt(float(count)));
@@ -24,15 +24,15 @@ inline vec2 stratified_2d(int index, int count, Random& random) {
     //< return vec2(0.5f);
 }
 
-/// The same on a line: cell `index` of `count`.
+/// Returns a random number in cell `index` of `count` of [0, 1).
 inline float stratified_1d(int index, int count, Random& random) {
     return glm::min((float(index) + random.uniform()) / float(count), 0x1.fffffep-1f);
 }
 
-/// Where `index` stands in a random order of 0 to count - 1, one order for each key. Odd factors, sums and
-/// shifted bits are one-to-one below a power of two; what lands beyond `count` goes round again (cycle
-/// walking: Black and Rogaway 2002; for the samples of a pixel: Kensler 2013, "Correlated Multi-Jittered
-/// Sampling").
+/// Returns element `index` of a random permutation of 0 to count - 1, one permutation per key. Odd factors,
+/// sums and shifted bits are one-to-one below a power of two; what lands beyond `count` is mapped again
+/// (cycle walking: Black and Rogaway 2002; for the samples of a pixel: Kensler 2013, "Correlated
+/// Multi-Jittered Sampling").
 constexpr int permutation_element(int index, int count, std::uint64_t key) {
     const int bits = std::bit_width(std::uint32_t(count - 1));
     const std::uint32_t mask = (1u << bits) - 1;

@@ -1,5 +1,5 @@
-// A lens: rays from all over it that meet again in one plane, which is in focus, and nowhere else
-// (distributed ray tracing: Cook, Porter and Carpenter 1984).
+// Thin lens: all rays of one image point pass through the lens and converge on the plane of focus (Cook,
+// Porter and Carpenter 1984).
 #pragma once
 
 #include "01_spheres/camera.h"
@@ -9,7 +9,7 @@
 
 namespace rt {
 
-/// A point of the disk of radius 1, evenly spread by area: the square's rings become rings and its diagonals
+/// Draws a point of the unit disk, uniformly by area: the square's rings become rings and its diagonals
 /// stay straight, so that what is even in the square is even in the disk (the concentric map of Shirley and
 /// Chiu 1997). u in [0, 1)^2.
 inline vec2 sample_disk_concentric(vec2 u) {
@@ -30,9 +30,9 @@ struct ThinLens {
     float focus_distance = 1;    ///< how far ahead the plane in focus is, in metres along `forward`, above 0
 };
 
-/// As camera_ray(), but from the point of the lens that u in [0, 1)^2 picks. The lens stands around the
-/// camera's origin, at right angles to `forward`. What is d metres ahead is seen as a disk, whose width on
-/// the plane in focus is aperture_diameter |d - focus_distance| / d, the circle of confusion.
+/// As camera_ray(), but from the point of the lens that u in [0, 1)^2 selects. The lens is centered at the
+/// camera's origin, perpendicular to `forward`. A point d metres ahead appears as a disk, the circle of
+/// confusion, whose diameter on the plane of focus is aperture_diameter |d - focus_distance| / d.
 inline Ray thin_lens_ray(const Camera& camera, const ThinLens& lens, vec2 film_point, vec2 u) {
     const Ray ray = camera_ray(camera, film_point);
     if (lens.aperture_diameter == 0) return ray;
@@ -45,7 +45,7 @@ inline Ray thin_lens_ray(const Camera& camera, const ThinLens& lens, vec2 film_p
     //< return ray;
 }
 
-/// The ray with which a sample looks through this point of the picture. A pinhole asks for no numbers.
+/// Returns the ray of a sample through this point of the image. A pinhole camera draws no random numbers.
 inline Ray sample_camera_ray(const Camera& camera, const ThinLens& lens, vec2 film_point, Sampler& sampler) {
     return lens.aperture_diameter > 0 ? thin_lens_ray(camera, lens, film_point, sampler.uniform2())
                                       : camera_ray(camera, film_point);

@@ -1,4 +1,4 @@
-// Area lights: surfaces that glow, asked directly instead of waiting for a path to find them.
+// Emissive surfaces, sampled directly (next-event estimation) instead of being hit by chance.
 #pragma once
 
 #include "02_shadows/point_light.h"
@@ -26,14 +26,14 @@ struct AreaLight {
     vec3 emission; ///< radiance, W / (m^2 sr)
 };
 
-/// All area lights of a scene, to be picked in proportion to their power.
+/// All area lights of a scene, to be sampled in proportion to their power.
 struct AreaLights {
     std::vector<AreaLight> lights;
     std::vector<float> cdf; ///< cdf[i]: the share of lights 0 to i in the power of all
     float total_power = 0;  ///< of all: luminance(emission) times area, summed up
 };
 
-/// What the material sends out by itself.
+/// Returns the emitted radiance of a material.
 template <typename S>
 vec3 emission(const S& scene, int material) {
     return match(
@@ -43,8 +43,8 @@ vec3 emission(const S& scene, int material) {
         [](const auto&) { return vec3(0); });
 }
 
-/// Gathers the quads, triangles and spheres that glow. A plane is endless and has no area to pick from: it
-/// must not glow.
+/// Collects the emissive quads, triangles and spheres. Infinite planes have no finite area and therefore
+/// cannot be lights.
 template <typename S>
 AreaLights collect_area_lights(const S& scene) {
     AreaLights lights;
@@ -68,13 +68,13 @@ AreaLights collect_area_lights(const S& scene) {
     return lights;
 }
 
-/// A point of one of the lights, u in [0, 1)^2. Picked by power and then evenly, it has the density
-/// luminance(emission) / total_power over the area of all lights, whichever light it lies on.
+/// Samples a point of one of the lights, u in [0, 1)^2. Chosen by power and then uniformly, it has the
+/// density luminance(emission) / total_power over the area of all lights.
 inline LightSample sample_light(const AreaLights& lights, vec2 u) {
     const auto upper = std::ranges::upper_bound(lights.cdf, u.x);
     const auto index = std::min(std::size_t(upper - lights.cdf.begin()), lights.lights.size() - 1);
     const float cdf_below = index > 0 ? lights.cdf[index - 1] : 0;
-    u.x = (u.x - cdf_below) / (lights.cdf[index] - cdf_below); // what the choice leaves is uniform again
+    u.x = (u.x - cdf_below) / (lights.cdf[index] - cdf_below); // the remainder of the choice is uniform again
     u.x = glm::clamp(u.x, 0.0f, 0x1.fffffep-1f);
     const AreaLight& light = lights.lights[index];
     LightSample sample = match(light.shape, [&](const auto& shape) { return sample_area(shape, u); });
@@ -82,9 +82,8 @@ inline LightSample sample_light(const AreaLights& lights, vec2 u) {
     return sample;
 }
 
-/// The density, 1/sr, with which a surface picks the direction of such a point, which it sees at `distance`
-/// and under an angle of this cosine to the light's normal. The area dA fills the directions dA cos /
-/// distance^2, so
+/// Returns the pdf, 1/sr, of the direction to such a point at `distance`, with this cosine to the light's
+/// normal. The area dA subtends the solid angle dA cos / distance^2, so
 ///     p(w) = p(A) distance^2 / cos,   p(A) = luminance(emission) / total_power.
 inline float light_pdf(const AreaLights& lights, vec3 emission, float distance, float cosine) {
     if (lights.lights.empty()) return 0;
@@ -92,11 +91,10 @@ inline float light_pdf(const AreaLights& lights, vec3 emission, float distance, 
     return glm::min(pdf, std::numeric_limits<float>::max()); // seen edge-on
 }
 
-/// An estimate of the irradiance at the hit from all area lights, W/m^2: one point of one light, and
+/// Estimates the irradiance at the hit from all area lights, W/m^2, by one point of one light:
 ///     E ~ L cos(theta) V / p,   p = the pdf of the point's direction.
-/// The light shines to both sides; V is 1 if the two points see each other, else 0. `absorption` is that of
-/// the medium between them. `bsdf_sampling`: how bounces that find the same lights, too, are sampled; the two
-/// share each light.
+/// Lights emit to both sides; V is 1 if the two points are mutually visible, else 0. `absorption` is that of
+/// the medium between them. `bsdf_sampling`: if set, weight by MIS against this BSDF sampling strategy.
 template <Occludable S, RandomSource Source>
 vec3 sample_area_lights(const S& scene, const AreaLights& lights, const Hit& hit, Source& source,
                         vec3 absorption = vec3(0),

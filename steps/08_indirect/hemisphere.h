@@ -1,4 +1,4 @@
-// Directions over a hemisphere: where light goes from a matte surface, by chance.
+// Sampling directions over a hemisphere, cosine-weighted or uniform, and their densities.
 #pragma once
 
 #include "common/math/vec.h"
@@ -7,7 +7,7 @@
 
 namespace rt {
 
-/// Two unit vectors at right angles to the unit `normal` and to each other (Duff et al. 2017, JCGT 6(1)).
+/// Two unit vectors perpendicular to the unit `normal` and to each other (Duff et al. 2017, JCGT 6(1)).
 struct OrthonormalBasis {
     vec3 u, v;
 };
@@ -20,9 +20,9 @@ inline OrthonormalBasis make_basis(vec3 normal) {
             {b, sign + normal.y * normal.y * a, -normal.y}};
 }
 
-/// A unit direction above the surface, likelier the closer to the unit normal: density cos(theta) / pi. A
-/// uniform point of the unit disk is lifted onto the half-sphere above it (Malley; Pharr, Jakob, Humphreys,
-/// PBR, 3rd edition, 13.6.3). u in [0, 1)^2.
+/// Samples a unit direction with density cos(theta) / pi about the unit normal: a uniform point of the unit
+/// disk is projected up onto the hemisphere (Malley; Pharr, Jakob, Humphreys, PBR, 3rd edition, 13.6.3). u in
+/// [0, 1)^2.
 inline vec3 sample_cosine_hemisphere(vec3 normal, vec2 u) {
     //> radius sqrt(u.x) and an angle make the point of the disk; Pythagoras makes its height
     const float radius = std::sqrt(u.x);
@@ -33,30 +33,29 @@ inline vec3 sample_cosine_hemisphere(vec3 normal, vec2 u) {
     //< return normal;
 }
 
-/// The density of sample_cosine_hemisphere(), 1/sr; `cosine` is that of the angle to the normal.
+/// Returns the density of sample_cosine_hemisphere(), 1/sr; `cosine` is that of the angle to the normal.
 inline float cosine_hemisphere_pdf(float cosine) {
     return glm::max(cosine, 0.0f) / pi;
 }
 
-/// Unit vectors towards all sides, evenly (Archimedes: slices of equal height have equal area). u in [0,
-/// 1)^2.
+/// Samples the unit sphere uniformly (Archimedes: slices of equal height have equal area). u in [0, 1)^2.
 inline vec3 sample_uniform_sphere(vec2 u) {
     const float z = 1 - 2 * u.x;
     const float radius = std::sqrt(glm::max(0.0f, 1 - z * z));
     return {radius * std::cos(2 * pi * u.y), radius * std::sin(2 * pi * u.y), z};
 }
 
-/// How the bounces of a matte surface are spread over the directions above it: by the cosine, or evenly.
+/// Density from which bounce directions are drawn: cosine-weighted or uniform over the hemisphere.
 enum class HemisphereSampling { cosine, uniform };
 
-/// A direction above the surface. u in [0, 1)^2.
+/// Samples a unit direction above the surface. u in [0, 1)^2.
 inline vec3 sample_hemisphere(HemisphereSampling sampling, vec3 normal, vec2 u) {
     if (sampling == HemisphereSampling::cosine) return sample_cosine_hemisphere(normal, u);
     const vec3 direction = sample_uniform_sphere(u);
     return dot(direction, normal) < 0 ? -direction : direction;
 }
 
-/// The density of sample_hemisphere(), 1/sr; `cosine` is that of the angle to the normal.
+/// Returns the density of sample_hemisphere(), 1/sr; `cosine` is that of the angle to the normal.
 inline float hemisphere_pdf(HemisphereSampling sampling, float cosine) {
     if (sampling == HemisphereSampling::cosine) return cosine_hemisphere_pdf(cosine);
     return cosine < 0 ? 0 : 1 / (2 * pi);

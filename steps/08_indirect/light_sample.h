@@ -1,4 +1,4 @@
-// Points of lights: random ones, spread evenly over the area of a quad, a triangle or a sphere.
+// Uniform sampling of the area of a light: a quad, a triangle or a sphere.
 #pragma once
 
 #include "01_spheres/sphere.h"
@@ -10,7 +10,7 @@
 
 namespace rt {
 
-/// A point of a light, where the surface faces, and the radiance that it sends out, W / (m^2 sr).
+/// A point of a light, its normal, and the radiance it emits, W / (m^2 sr).
 struct LightSample {
     vec3 position;
     vec3 normal;
@@ -33,8 +33,8 @@ inline float area(const Sphere& sphere) {
     return 4 * pi * sphere.radius * sphere.radius;
 }
 
-/// Points spread evenly over a shape, from u in [0, 1)^2; in double and rounded once, so that a shadow ray
-/// that ends `relative_epsilon` before one does not meet the light itself.
+/// Samples a shape uniformly by area, from u in [0, 1)^2; in double and rounded once, so that a shadow ray
+/// that ends `relative_epsilon` before the point does not hit the light itself.
 inline LightSample sample_area(const Quad& quad, vec2 u) {
     const dvec3 across = double(u.x) * dvec3(quad.edge_u) + double(u.y) * dvec3(quad.edge_v);
     return {vec3(dvec3(quad.corner) + across), normalize(cross(quad.edge_u, quad.edge_v))};
@@ -50,7 +50,7 @@ inline LightSample sample_area(const LightTriangle& triangle, vec2 u) {
     return {position, vec3(normalize(area_normal({triangle.a, triangle.b, triangle.c})))};
 }
 
-/// Half of the points face away and shed nothing.
+/// Half of the points face away and contribute nothing.
 inline LightSample sample_area(const Sphere& sphere, vec2 u) {
     const dvec3 normal = normalize(dvec3(sample_uniform_sphere(u)));
     return {vec3(dvec3(sphere.center) + double(sphere.radius) * normal), vec3(normal)};

@@ -1,4 +1,4 @@
-// Metals that are polished more or less: a mirror whose rays stray, the farther the rougher it is.
+// Fuzzy metal: a mirror reflection perturbed by a random offset that grows with roughness.
 #pragma once
 
 #include "03_mirror/mirror.h"
@@ -13,10 +13,10 @@ struct Metal {
     float fuzz = 0;   ///< in [0, 1]: 0 is a tinted mirror, 1 strays by up to a quarter turn
 };
 
-/// The ray that a metal sends on: mirrored, then moved to a random point on the sphere of radius `fuzz` around
-/// where it pointed (Shirley, Black, Hollasch, Ray Tracing in One Weekend, version 4, section 10.6). Nothing
-/// if it then points into the surface: such light is lost. A model by its looks, not by measurement. u in
-/// [0, 1)^2.
+/// Returns the reflected ray, its unit direction offset by a random point of the sphere of radius `fuzz`
+/// (Shirley, Black, Hollasch, Ray Tracing in One Weekend, version 4, section 10.6), or nothing if it then
+/// points into the surface: such light is lost. A model of the appearance, not of measurements. u in [0,
+/// 1)^2.
 inline std::optional<Ray> scatter_metal(const Metal& metal, const Ray& ray, const Hit& hit, vec2 u) {
     //> the mirrored direction at unit length, plus fuzz times a random unit vector, if it leaves the surface
     const vec3 reflected = normalize(reflect(ray.direction, hit.shading_normal));

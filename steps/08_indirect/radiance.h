@@ -1,5 +1,4 @@
-// How light travels, in step 08: along one path after another, chosen by chance, until the average is the
-// truth.
+// Path tracing: averages random light paths, which converges to the exact solution.
 #pragma once
 
 #include "02_shadows/point_light.h"
@@ -16,28 +15,29 @@
 
 namespace rt {
 
-/// How paths look for area lights: by asking them at every matte surface, by running into them, or by both
-/// with multiple importance sampling.
+/// How paths find area lights: by sampling them at every diffuse surface, by hitting them with bounces, or by
+/// both with multiple importance sampling.
 enum class DirectLighting { mis, light_sampling, bsdf_sampling };
 
-/// Which light counts, and how it is looked for. The last three change the noise, never the mean.
+/// Which light counts, and how it is sampled. The last three change the noise, never the mean.
 struct PathSettings {
-    int depth = 5;        ///< bounces of a path at most; the light beyond is left out
-    bool indirect = true; ///< false: matte surfaces see lights and sky, but not each other
+    int depth = 5;        ///< maximum bounces of a path; light beyond is left out
+    bool indirect = true; ///< false: diffuse surfaces see lights and sky, but not each other
     DirectLighting direct = DirectLighting::mis;
     bool roulette = true; ///< false: every path runs its full length
     HemisphereSampling hemisphere_sampling = HemisphereSampling::cosine; ///< of bounces
 };
 
-/// Light that goes on as a single ray.
+/// A path that continues as a single ray.
 struct ScatteredRay {
     Ray ray;
     vec3 weight;
-    vec3 absorption; ///< of the medium it goes on in
+    vec3 absorption; ///< of the medium it continues in
 };
 
-/// What the surface does with a path: it is matte, or it sends the path on. Where light has two ways, chance
-/// picks one in proportion to its share, so that the weight is the same for both.
+/// Returns what the surface does with a path: it is diffuse, or it scatters the path as one ray. At glass and
+/// coatings one of the two branches is chosen with its own reflectance as the probability, so probability and
+/// weight cancel.
 template <Occludable S, RandomSource Source>
 std::variant<Diffuse, ScatteredRay> scatter(const S& scene, const Ray& ray, const Hit& hit, vec3 absorption,
                                             Source& source) {
@@ -68,7 +68,7 @@ std::variant<Diffuse, ScatteredRay> scatter(const S& scene, const Ray& ray, cons
         });
 }
 
-/// An estimate of the irradiance at the hit from all lights, as far as they are to be asked for it, W/m^2.
+/// Estimates the irradiance at the hit from the lights that `settings.direct` says to sample, W/m^2.
 template <Occludable S, RandomSource Source>
 vec3 sample_direct_light(const S& scene, const AreaLights& lights, const PathSettings& settings,
                          const Hit& hit, vec3 absorption, Source& source) {
@@ -79,8 +79,9 @@ vec3 sample_direct_light(const S& scene, const AreaLights& lights, const PathSet
     return from_points + sample_area_lights(scene, lights, hit, source, absorption, bsdf_sampling);
 }
 
-/// The share of a lamp's light that counts where a path runs into it. `pdf` is that of the ray's
-/// direction, which has unit length then; there is none if the path had no other way.
+/// Returns the MIS weight of emission hit by a ray. `pdf` is the density of its direction, which has unit
+/// length then; none for a specular bounce or a camera ray, for which light sampling was impossible (weight
+/// 1).
 template <typename S>
 float emission_weight(const S& scene, const AreaLights& lights, const PathSettings& settings, const Ray& ray,
                       const Hit& hit, std::optional<float> pdf) {
@@ -90,20 +91,20 @@ float emission_weight(const S& scene, const AreaLights& lights, const PathSettin
     return power_heuristic(*pdf, light_pdf(lights, emission(scene, hit.material), hit.t, cosine));
 }
 
-/// An estimate of the radiance that comes back along the ray, W / (m^2 sr), linear RGB. Its mean over many
-/// calls is the solution of the rendering equation (Kajiya 1986), cut after `depth` bounces. Caustics of area
-/// lights are found by paths that run through glass or by mirrors into a lamp. Shortcut: a point light casts
-/// none, glass throws its full shadow.
+/// Estimates the radiance arriving along the ray, W / (m^2 sr), linear RGB. Its expected value is the
+/// solution of the rendering equation (Kajiya 1986), truncated after `depth` bounces. Caustics of area lights
+/// come from paths that reach a light through glass or by mirrors. Shortcut: point lights cast none, and
+/// glass casts a full shadow.
 template <Occludable S, RandomSource Source>
 vec3 radiance(const S& scene, const AreaLights& lights, const PathSettings& settings, Ray ray,
               Source& source) {
     vec3 path_radiance(0), throughput(1), absorption(0);
-    std::optional<float> pdf; // of the ray's direction; none from a mirror or the eye: no lamp was asked
-    bool hit_diffuse = false; // the path has met a matte surface
+    std::optional<float> pdf; // of the ray's direction; none after a specular bounce or from the eye
+    bool hit_diffuse = false; // the path has hit a diffuse surface
     for (int bounce = 0;; ++bounce) {
         const auto hit = intersect(scene, ray);
         if (!hit && absorption != vec3(0))
-            return path_radiance; // a coloured medium without end lets nothing through
+            return path_radiance; // an unbounded absorbing medium transmits nothing
         if (!hit) return path_radiance + throughput * radiance(scene.sky, ray.direction);
         if (absorption != vec3(0)) throughput *= transmittance(absorption, hit->t * length(ray.direction));
         const bool last = bounce == settings.depth || (hit_diffuse && !settings.indirect);

@@ -1,4 +1,4 @@
-// Russian roulette: when a path may end, without a change of the mean.
+// Russian roulette: ends paths early without changing the expected value.
 #pragma once
 
 #include "common/math/random.h"
@@ -8,9 +8,8 @@
 
 namespace rt {
 
-/// Russian roulette: a path that carries little goes on with a probability in proportion, and what goes on is
-/// weighed up by 1 / probability, so the mean stays (Arvo and Kirk 1990). Answers the new throughput, or
-/// nothing if the path ends.
+/// Russian roulette (Arvo and Kirk 1990): continues with a probability and divides by it, so the estimate
+/// stays unbiased. Returns the new throughput, or nothing if the path ends.
 template <RandomSource Source>
 std::optional<vec3> russian_roulette(vec3 throughput, Source& source) {
     //> survive with the largest component, at most .95, and divide by it

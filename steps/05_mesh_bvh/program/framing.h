@@ -1,4 +1,4 @@
-// The framing of a model that nobody has seen before: camera, floor and key light, from its box alone.
+// Frames an unknown model: camera, floor and key light from its bounding box alone.
 #pragma once
 
 #include "01_spheres/camera.h"
@@ -15,16 +15,17 @@ struct Framing {
     float intensity_scale; ///< metres^2: an intensity of this many W/sr sheds about 1 W/m^2 on the model
 };
 
-/// `aspect` is the picture's width over its height. A model without any extent counts as 1 m large.
+/// Returns the framing of a model with this box. `aspect` is the image's width over its height. A model
+/// without extent counts as 1 m large.
 inline Framing frame_model(const Aabb& box, float aspect) {
     const vec3 center = centroid(box);
     const float radius = length(box.max - box.min) > 0 ? length(box.max - box.min) / 2 : 1;
     const float fov = 34;
     const float half_angle = std::atan(std::tan(glm::radians(fov) / 2) * glm::min(aspect, 1.0f));
-    const float camera_distance = 1.02f * radius / std::sin(half_angle); // the ball around the box just fits
+    const float camera_distance = 1.02f * radius / std::sin(half_angle); // the sphere around it just fits
     const vec3 key_light = center + radius * vec3(-1.6f, 3.2f, 2.4f);
     return {{center + camera_distance * normalize(vec3(0.45f, 0.32f, 1)), center, {0, 1, 0}, fov},
-            {center.x, box.min.y - 0x1p-12f * radius, center.z}, // so that a floor of the model's own shows
+            {center.x, box.min.y - 0x1p-12f * radius, center.z}, // so that the model's own floor shows
             key_light,
             dot(key_light - center, key_light - center)};
 }

@@ -19,7 +19,7 @@ inline Choice<Accel> accel_option(Options& options, Accel initial) {
         "many at once");
 }
 
-/// The options with which a user shows a model of their own.
+/// Declares --mesh --bare --crease: a model of the user's own.
 struct ModelOptions {
     explicit ModelOptions(Options& options)
         : mesh(options.file("mesh", "an OBJ file to show in place of this step's scene")),
@@ -35,8 +35,8 @@ struct ModelOptions {
     const float& crease;
 };
 
-/// Puts the model into an empty scene, on a floor under a lamp and a cloudy sky, and answers the camera that
-/// shows it. A bare model gets no floor and no lamp, and no sky either if it brings light of its own.
+/// Adds the model to an empty scene, on a floor, with a light and a cloudy sky, and returns the camera that
+/// shows it. With --bare there is no floor and no light, and no sky either if the model is emissive.
 template <typename Scene>
 LookAt add_framed_model(Scene& scene, const ModelOptions& options, float aspect) {
     const ObjModel file = read_obj(options.mesh);

@@ -36,8 +36,8 @@ struct LensOptions {
           focus(all.option("focus", 0.0f, 0.0f, 1e6f,
                            "how far ahead the plane in focus is, metres; 0 for the distance to --at")) {}
 
-    /// Of a camera that stands like that: `other`, but for the knobs that the user has turned. A focus of 0
-    /// stands for the distance to what the camera looks at.
+    /// Returns `other`, overridden by the options given on the command line. A focus of 0 means the distance
+    /// to what the camera looks at.
     ThinLens lens(const LookAt& look_at,
                   const ThinLens& other = {.aperture_diameter = 0, .focus_distance = 0}) const {
         const float width = options.is_set("aperture") ? aperture : other.aperture_diameter;
