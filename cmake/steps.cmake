@@ -128,6 +128,16 @@ function(add_checks target prefix labels)
     add_dependencies(checks ${target})
 endfunction()
 
+# The checks in tests/NAME, with further sources: the executable test_NAME, and checks_NAME, which builds all they need.
+function(add_room_checks name)
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${name}/*.cpp)
+    add_checks(test_${name} ${name} ${name} ${sources} ${ARGN})
+    add_custom_target(checks_${name})
+    if(TARGET test_${name})
+        add_dependencies(checks_${name} test_${name})
+    endif()
+endfunction()
+
 function(add_step name)
     file(GLOB source CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/steps/${name}/main.cpp)
     if(NOT TARGET common OR NOT source)

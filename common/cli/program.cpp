@@ -273,8 +273,8 @@ int run(const Options& options, const std::function<void(const RenderFunction&)>
     const Outputs outputs = checked_outputs(options);
     print(settings, summary(settings));
     if (!overridden_headers.empty()) print(settings, "using your " + printable(overridden_headers) + "\n");
-    HugePageVector<char>
-        spare; // what the writing will need: better refused now than when the picture is finished
+    // What the writing will need: better refused now than when the picture is finished.
+    HugePageVector<char> spare;
     spare.reserve(memory_to_write(settings.crop.x1 - settings.crop.x0, settings.crop.y1 - settings.crop.y0));
     std::optional<Film> film;
     double render_seconds = 0;
