@@ -43,7 +43,9 @@ refuses() { # $1: what the line says; the rest: the words
 # The way of a learner.
 says "next: ./learn start 01" status
 [ ! -e "$workshop" ] || wrong "looking at the status makes a folder"
-says "mirror.h:29  reflected_ray" start 03
+says "Write 4 functions" start 03
+gap=$(grep -n "TODO: turn ray.direction" "$workshop/03_mirror/mirror.h" | cut -d: -f1)
+[[ $said == *"mirror.h:$gap  reflected_ray"* ]] || wrong "start 03: expected 'mirror.h:$gap  reflected_ray', got: $said"
 says "mirror.h is there already" start 3
 says "next: write reflect in" status
 says "Hint 1 of 3" hint 03 reflected_ray
