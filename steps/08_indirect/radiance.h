@@ -52,7 +52,7 @@ std::variant<Diffuse, ScatteredRay> scatter(const S& scene, const Ray& ray, cons
     }
     return match(
         scene.materials[std::size_t(material)],
-        [&](const auto& hit_diffuse) -> Result { return matte_at(hit_diffuse, scene, hit); },
+        [&](const auto& matte) -> Result { return matte_at(matte, scene, hit); },
         [&](const Mirror& mirror) -> Result { return reflected(mirror.reflectance); },
         [&](const Metal& metal) -> Result {
             const auto scattered = scatter_metal(metal, ray, hit, source.uniform2());
