@@ -89,14 +89,16 @@ TEST_CASE("spirals, combs and stars of thousands of corners are cut without gap 
     for (const int count : {5, 6, 7, 8, 12, 40, 1000, 10001}) check_cut(star(count, random));
 }
 
-TEST_CASE("a polygon of 1,000 corners costs less than 50 triangles a corner would, and twice as many corners "
-          "about twice the time") {
+TEST_CASE(
+    "a polygon of 1,000 corners costs less than 50 triangles a corner would, and eight times as many corners "
+    "far less than 64 times the time") {
     // 0.4 ms on a quiet machine; 120 ms with the cube of the corners.
     CHECK(cpu_seconds_to_cut(spiral(1000)) < 0.02);
+    // n log n is about 9 times, the square 64 times. Caches that a busy machine shares may triple the larger one.
     Random random(42);
-    CHECK(cpu_seconds_to_cut(spiral(80000)) < 4 * cpu_seconds_to_cut(spiral(40000)) + 0.01);
-    CHECK(cpu_seconds_to_cut(comb(40000)) < 4 * cpu_seconds_to_cut(comb(20000)) + 0.01);
-    CHECK(cpu_seconds_to_cut(star(80000, random)) < 4 * cpu_seconds_to_cut(star(40000, random)) + 0.01);
+    CHECK(cpu_seconds_to_cut(spiral(80000)) < 30 * cpu_seconds_to_cut(spiral(10000)) + 0.01);
+    CHECK(cpu_seconds_to_cut(comb(40000)) < 30 * cpu_seconds_to_cut(comb(5000)) + 0.01);
+    CHECK(cpu_seconds_to_cut(star(80000, random)) < 30 * cpu_seconds_to_cut(star(10000, random)) + 0.01);
 }
 
 TEST_CASE("a polygon that crosses itself all over is still cut into n - 2 triangles, in bearable time") {
