@@ -1,4 +1,4 @@
-# The five header-only packages: the system's where it has one, else a pinned commit that is fetched.
+# The six header-only packages: the system's where it has one, else a pinned commit that is fetched.
 # Each becomes a target of ours that carries nothing but the path of its headers.
 include(FetchContent)
 
@@ -70,6 +70,10 @@ rt_package(tinyobj HEADER tiny_obj_loader.h FIND tinyobjloader TARGET tinyobjloa
 rt_package(cli11 HEADER CLI/CLI.hpp FIND CLI11 TARGET CLI11::CLI11 FETCHED_INCLUDE include
     REPOSITORY https://github.com/CLIUtils/CLI11.git
     COMMIT 6c7b07a878ad834957b98d0f9ce1dbe0cb204fc9) # 2.4.2
+
+rt_package(json HEADER nlohmann/json.hpp FIND nlohmann_json TARGET nlohmann_json::nlohmann_json FETCHED_INCLUDE include
+    REPOSITORY https://github.com/nlohmann/json.git
+    COMMIT 9cca280a4d0ccf0c08f47a99aa71d1b0e52f8d03) # 3.11.3
 
 if(RAYSTEPS_TESTS)
     rt_package(doctest HEADER doctest/doctest.h FIND doctest TARGET doctest::doctest

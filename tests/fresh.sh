@@ -66,7 +66,7 @@ shift 2
 for target in "$@"; do
     case $target in
         programs | checks*)
-            for program in compare contact_sheet plot make_assets $(ls "$build/../../steps"); do
+            for program in compare contact_sheet make_assets $(ls "$build/../../steps"); do
                 make "$build" "$program"
             done
             ;;

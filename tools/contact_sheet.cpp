@@ -1,17 +1,16 @@
 // contact_sheet OUT.png A.png B.png ...: many pictures on one sheet, each with its name under it.
+#include "assets/letters.h"
 #include "common/util/report_error.h"
 #include "common/util/error.h"
 #include "common/util/version.h"
 #include "common/image/image_file.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
 #include <exception>
 #include <iostream>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace rt {
@@ -21,54 +20,10 @@ constexpr int columns = 4;
 constexpr int cell_width = 480, cell_height = 300;
 constexpr int gap = 20;                         // between cells and around them
 constexpr int caption = 38;                     // the strip under a cell
-constexpr int dot = 2;                          // a letter's dot is 2 x 2 pixels
+constexpr double letter = 15;                   // height of a capital
 const vec3 background(0.0075f, 0.008f, 0.010f); // linear, as everything here
 const vec3 number_colour(0.95f, 0.50f, 0.12f);
 const vec3 name_colour(0.62f, 0.64f, 0.68f);
-
-// Letters of 5 x 7 dots, twelve a strip, one column between them.
-constexpr std::string_view letters = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ";
-constexpr std::array<std::string_view, 21> strips = {
-    " ###    #    ###  #####    #  #####   ##  #####  ###   ###   ###  #### ",
-    "#   #  ##   #   #    #    ##  #      #        # #   # #   # #   # #   #",
-    "#  ##   #       #   #    # #  ####  #        #  #   # #   # #   # #   #",
-    "# # #   #      #     #  #  #      # ####    #    ###   #### #   # #### ",
-    "##  #   #     #       # #####     # #   #   #   #   #     # ##### #   #",
-    "#   #   #    #    #   #    #  #   # #   #   #   #   #    #  #   # #   #",
-    " ###   ###  #####  ###     #   ###   ###    #    ###   ##   #   # #### ",
-
-    " ###  ####  ##### #####  ###  #   #  ###    ### #   # #     #   # #   #",
-    "#   # #   # #     #     #   # #   #   #      #  #  #  #     ## ## #   #",
-    "#     #   # #     #     #     #   #   #      #  # #   #     # # # ##  #",
-    "#     #   # ####  ####  #  ## #####   #      #  ##    #     # # # # # #",
-    "#     #   # #     #     #   # #   #   #      #  # #   #     #   # #  ##",
-    "#   # #   # #     #     #   # #   #   #   #  #  #  #  #     #   # #   #",
-    " ###  ####  ##### #      #### #   #  ###   ##   #   # ##### #   # #   #",
-
-    " ###  ####   ###  ####   #### ##### #   # #   # #   # #   # #   # #####",
-    "#   # #   # #   # #   # #       #   #   # #   # #   # #   # #   #     #",
-    "#   # #   # #   # #   # #       #   #   # #   # #   #  # #   # #     # ",
-    "#   # ####  #   # ####   ###    #   #   # #   # # # #   #     #     #  ",
-    "#   # #     # # # # #       #   #   #   # #   # # # #  # #    #    #   ",
-    "#   # #     #  #  #  #      #   #   #   #  # #  # # # #   #   #   #    ",
-    " ###  #      ## # #   # ####    #    ###    #    # #  #   #   #   #####",
-};
-
-/// True where letter `c` has ink; what is no letter or digit is blank.
-bool has_ink(char c, int x, int y) {
-    const std::size_t index = letters.find(char(std::toupper(static_cast<unsigned char>(c))));
-    if (index == std::string_view::npos) return false;
-    const std::string_view row = strips[index / 12 * 7 + std::size_t(y)];
-    const std::size_t column = index % 12 * 6 + std::size_t(x);
-    return row[column] == '#';
-}
-
-void write_text(Image& sheet, int left, int top, std::string_view text, vec3 colour) {
-    for (std::size_t i = 0; i < text.size(); ++i)
-        for (int y = 0; y < 7 * dot; ++y)
-            for (int x = 0; x < 5 * dot; ++x)
-                if (has_ink(text[i], x / dot, y / dot)) sheet(left + int(i) * 6 * dot + x, top + y) = colour;
-}
 
 /// The mean of the picture over the box [x0, x1) x [y0, y1), pixels at the border counting by the part
 /// inside.
@@ -104,12 +59,21 @@ std::string stem(const std::string& path) {
     return path.substr(begin, path.rfind('.') - begin);
 }
 
-/// The number in its own colour, then the name, as far as the cell is wide.
+/// Writes the number in its own colour, then the name, as far as the cell is wide.
 void draw_caption(Image& sheet, int left, int top, const std::string& path) {
-    const std::string name = stem(path).substr(0, cell_width / (6 * dot));
+    const int advance = int(std::lround(letter * 5.6 / 6));
+    const std::string name = stem(path).substr(0, std::size_t(cell_width / advance));
     const std::size_t digits = std::min(name.find_first_not_of("0123456789"), name.size());
-    write_text(sheet, left, top, name.substr(0, digits), number_colour);
-    write_text(sheet, left + int(digits) * 6 * dot, top, name.substr(digits), name_colour);
+    for (std::size_t i = 0; i < name.size(); ++i, left += advance) {
+        const std::string capital(1, char(std::toupper(static_cast<unsigned char>(name[i]))));
+        const assets::TextStyle style{{left + 1.5, top + letter + 1}, letter, 1};
+        for (int y = top; y < top + int(letter) + 3; ++y)
+            for (int x = left; x < left + advance; ++x) {
+                const double distance = assets::text_distance({x + 0.5, y + 0.5}, capital, style);
+                const float ink = float(glm::smoothstep(0.6, -0.6, distance));
+                sheet(x, y) = mix(sheet(x, y), i < digits ? number_colour : name_colour, ink);
+            }
+    }
 }
 
 Image contact_sheet(const std::vector<std::string>& paths) {

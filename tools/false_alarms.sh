@@ -21,10 +21,10 @@ one() { # $1: the step, $2: the seed
     "$build/bin/$1" --quiet --seed "$2" --out "$work/a.hdr" --variance "$work/v.hdr" $flags >"$work/said"
     "$build/bin/compare" "$work/a.hdr" "$references/$1.hdr" --variance-a "$work/v.hdr" \
         --variance-b "$references/$1.variance.hdr" --json "$work/json" >"$work/words" || true
-    echo "$(sed -E 's/.*"verdict": "([a-z]*)".*/\1/' "$work/json")" \
-        "$(sed -E 's/.*"tiles_over_4": ([0-9]*).*/\1/' "$work/json")" \
+    echo "$(sed -E 's/.*"verdict": *"([a-z]*)".*/\1/' "$work/json")" \
+        "$(sed -E 's/.*"tiles_over_4": *([0-9]*).*/\1/' "$work/json")" \
         "$(sed -n -E '1s/.*largest z (-?[0-9.a-z]+).*/\1/p' "$work/words")" \
-        "$(sed -E 's/.*"mean": ([0-9.e-]*).*/\1/' "$work/json")"
+        "$(sed -E 's/.*"mean": *([0-9.e-]*).*/\1/' "$work/json")"
 }
 
 printf '%-14s %6s %6s %13s %12s %10s\n' step seeds wrong "tiles over 4" "largest |z|" "mean FLIP"

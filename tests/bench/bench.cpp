@@ -1,19 +1,20 @@
-// Facts about the benchmarks' own tools: what they trace, who is told right, and what the report draws.
+// Facts about the benchmarks' own tools: what they trace, which side they call right, and what the report draws.
 #include "tests/check.h"
 
 #include "common/util/error.h"
-#include "tools/bench/agreement.h"
+#include "common/util/file_bytes.h"
 #include "common/util/json.h"
-#include "tools/bench/json_reader.h"
+#include "tools/bench/agreement.h"
 #include "tools/bench/meshes.h"
 #include "tools/bench/rays.h"
+#include "tools/bench/report.h"
 #include "tools/bench/statistics.h"
-#include "tools/bench/svg.h"
-#include "tools/bench/team.h"
-
-#include <doctest/doctest.h>
+#include "tools/bench/threads.h"
 
 #include <atomic>
+#include <cstdlib>
+#include <filesystem>
+#include <regex>
 #include <set>
 #include <string>
 #include <vector>
@@ -26,7 +27,7 @@ using namespace rt::bench;
 TEST_CASE("a field of knots has as many triangles as its name says, within a tenth") {
     for (const char* name : {"1k", "10k", "30k", "100k"}) {
         CAPTURE(std::string(name));
-        const double want = triangle_count(name), got = double(make_subject(name).mesh.triangles.size());
+        const double want = triangle_count(name), got = double(make_scene(name).mesh.triangles.size());
         CHECK(std::abs(got - want) <= 0.1 * want);
     }
     CHECK(triangle_count("2M") == 2'000'000);
@@ -34,36 +35,37 @@ TEST_CASE("a field of knots has as many triangles as its name says, within a ten
 }
 
 TEST_CASE("the same field comes out on every run") {
-    const Mesh a = make_subject("3k").mesh, b = make_subject("3k").mesh;
+    const Mesh a = make_scene("3k").mesh, b = make_scene("3k").mesh;
     CHECK(a.positions == b.positions);
     CHECK(a.triangles == b.triangles);
 }
 
 TEST_CASE("all triangles face outward: their corners run round the normals of their vertices") {
-    const Mesh mesh = make_subject("10k").mesh;
+    const Mesh mesh = make_scene("10k").mesh;
     std::size_t turned = 0;
     for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i)
         turned += dot(area_normal(vertices(mesh, i)), dvec3(mesh.normals[mesh.triangles[i][0]])) <= 0;
     CHECK_MESSAGE(turned == 0, turned << " triangles are turned");
 }
 
-TEST_CASE("a room is closed: whatever starts in it meets something, as asking every triangle shows") {
+TEST_CASE("a room is closed: every ray that starts in it hits something, as brute force shows") {
     for (const char* name : {"cat", "1k"}) {
         CAPTURE(std::string(name));
-        const Subject subject = make_subject(name);
-        const RaySets sets = make_rays(subject, build_ours(subject.mesh, 1), 48);
+        const BenchScene scene = make_scene(name);
+        const RaySets sets = make_rays(scene, build_ours(scene.mesh, 1), 48);
         CHECK(sets.primary.size() == 48 * 48);
         CHECK(sets.bounce.size() == sets.primary.size());
         std::size_t lost = 0;
-        for (const Ray& ray : sets.bounce) lost += brute_nearest(subject.mesh, ray).primitive == nothing;
+        for (const Ray& ray : sets.bounce)
+            lost += brute_force_closest_hit(scene.mesh, ray).primitive == no_primitive;
         CHECK_MESSAGE(lost == 0, lost << " of the bounce rays leave the room");
     }
 }
 
 TEST_CASE("some shadow rays reach the light and some do not") {
-    const Subject subject = make_subject("1k");
-    const Ours ours = build_ours(subject.mesh, 1);
-    const RaySets sets = make_rays(subject, ours, 64);
+    const BenchScene scene = make_scene("1k");
+    const Ours ours = build_ours(scene.mesh, 1);
+    const RaySets sets = make_rays(scene, ours, 64);
     std::size_t dark = 0;
     for (const Ray& ray : sets.shadow) dark += any_hit(ours, ray);
     CHECK(sets.shadow.size() > sets.primary.size() / 4);
@@ -72,9 +74,9 @@ TEST_CASE("some shadow rays reach the light and some do not") {
 }
 
 TEST_CASE("the primary rays of a picture are its pixels' rays, each once, neighbours side by side") {
-    const Subject subject = make_subject("1k");
-    const std::vector<Ray> rays = primary_rays(subject, 32);
-    const Camera camera = make_camera(subject.look_at, 32, 32);
+    const BenchScene scene = make_scene("1k");
+    const std::vector<Ray> rays = primary_rays(scene, 32);
+    const Camera camera = make_camera(scene.look_at, 32, 32);
     CHECK(rays[0].direction == camera_ray(camera, {0.5f, 0.5f}).direction);
     CHECK(rays[16].direction == camera_ray(camera, {0.5f, 1.5f}).direction);
     CHECK(rays[256].direction == camera_ray(camera, {16.5f, 0.5f}).direction);
@@ -85,13 +87,12 @@ TEST_CASE("the primary rays of a picture are its pixels' rays, each once, neighb
 
 // ---- how it is traced ----
 
-TEST_CASE("a team works off every index once, in one round after another") {
+TEST_CASE("threads work on every index once") {
     for (const int threads : {1, 2, 5}) {
-        Team team(threads);
         for (const std::size_t size :
              {std::size_t(0), std::size_t(1), std::size_t(1024), std::size_t(100'001)}) {
             std::vector<std::atomic<int>> visits(size);
-            const Seconds seconds = team.run(size, [&](std::size_t begin, std::size_t end) {
+            const Seconds seconds = run_threads(threads, size, [&](std::size_t begin, std::size_t end) {
                 for (std::size_t i = begin; i < end; ++i) ++visits[i];
             });
             std::size_t wrong = 0;
@@ -108,21 +109,21 @@ TEST_CASE("a team works off every index once, in one round after another") {
 namespace {
 
 /// Rays in a room, and the truth about each.
-struct Known {
-    Subject subject = make_subject("1k");
-    std::vector<Ray> rays = primary_rays(subject, 16);
-    std::vector<Found> truth;
+struct KnownHits {
+    BenchScene scene = make_scene("1k");
+    std::vector<Ray> rays = primary_rays(scene, 16);
+    std::vector<ClosestHit> truth;
 
-    Known() {
-        for (const Ray& ray : rays) truth.push_back(brute_nearest(subject.mesh, ray));
+    KnownHits() {
+        for (const Ray& ray : rays) truth.push_back(brute_force_closest_hit(scene.mesh, ray));
     }
 };
 
 } // namespace
 
-TEST_CASE("two sides that tell the truth agree") {
-    const Known known;
-    const Agreement a = compare(known.subject.mesh, known.rays, known.truth, known.truth, false, 100);
+TEST_CASE("two sides that are right agree") {
+    const KnownHits known;
+    const Agreement a = compare(known.scene.mesh, known.rays, known.truth, known.truth, false, 100);
     CHECK(a.rays == 256);
     CHECK(disagreements(a) == 0);
     CHECK(a.judged == 0);
@@ -130,16 +131,16 @@ TEST_CASE("two sides that tell the truth agree") {
     CHECK(a.sampled_wrong == 0);
 }
 
-TEST_CASE("every planted disagreement is counted, by kind, and the side that is wrong is told") {
-    const Known known;
-    std::vector<Found> ours = known.truth, embree = known.truth;
+TEST_CASE("every planted disagreement is counted, by kind, and brute force says which side is right") {
+    const KnownHits known;
+    std::vector<ClosestHit> ours = known.truth, embree = known.truth;
     ours[1] = {};               // we miss
     embree[2] = embree[3] = {}; // Embree misses
     ours[4].t *= 1.01f;         // we find what is behind
     embree[5].t *= 0.99f;       // Embree finds what is not there
     ours[6].primitive += 1;     // the neighbour at the same distance is as good
     embree[7].t *= 1 + 1e-6f;   // rounding
-    const Agreement a = compare(known.subject.mesh, known.rays, ours, embree, false, 100);
+    const Agreement a = compare(known.scene.mesh, known.rays, ours, embree, false, 100);
     CHECK(a.only_embree == 1);
     CHECK(a.only_ours == 2);
     CHECK(a.embree_nearer == 2);
@@ -151,19 +152,19 @@ TEST_CASE("every planted disagreement is counted, by kind, and the side that is 
 }
 
 TEST_CASE("our own mistakes are found without Embree too") {
-    const Known known;
+    const KnownHits known;
     const Agreement a =
-        compare(known.subject.mesh, known.rays, std::vector<Found>(known.rays.size()), {}, false, 100);
+        compare(known.scene.mesh, known.rays, std::vector<ClosestHit>(known.rays.size()), {}, false, 100);
     CHECK(a.sampled_wrong == 100);
 }
 
-TEST_CASE("of a shadow ray only counts whether anything is met") {
-    const Known known;
-    std::vector<Found> ours = known.truth;
-    for (Found& found : ours) found.t = infinity;
-    CHECK(disagreements(compare(known.subject.mesh, known.rays, ours, known.truth, true, 10)) == 0);
+TEST_CASE("of a shadow ray only counts whether it hits anything") {
+    const KnownHits known;
+    std::vector<ClosestHit> ours = known.truth;
+    for (ClosestHit& hit : ours) hit.t = infinity;
+    CHECK(disagreements(compare(known.scene.mesh, known.rays, ours, known.truth, true, 10)) == 0);
     ours[9] = {};
-    CHECK(disagreements(compare(known.subject.mesh, known.rays, ours, known.truth, true, 10)) == 1);
+    CHECK(disagreements(compare(known.scene.mesh, known.rays, ours, known.truth, true, 10)) == 1);
 }
 
 // ---- the report ----
@@ -177,126 +178,126 @@ TEST_CASE("medians and geometric means") {
     CHECK(std::isnan(geometric_mean({unknown})));
 }
 
-TEST_CASE("what is written as JSON is read back") {
-    const std::string text =
-        json::object({{"name", json::text("a \"b\" \\ c")},
-                      {"list", json::array({json::object({{"x", json::number(1.25)}}), json::number(unknown),
-                                            json::number(std::int64_t(7))})},
-                      {"empty", json::array({})}});
-    const Json json = parse_json(text);
-    CHECK(field(json, "name").text == "a \"b\" \\ c");
-    REQUIRE(field(json, "list").list.size() == 3);
-    CHECK(number_of(field(field(json, "list").list[0], "x")) == 1.25);
-    CHECK(field(json, "list").list[1].kind == Json::Kind::null);
-    CHECK(number_of(field(json, "list").list[2]) == 7);
-    CHECK(field(json, "empty").list.empty());
-    CHECK(std::isnan(number_of(field(json, "absent"))));
-}
-
-TEST_CASE("every text comes back from JSON: letters of all languages, control characters, quotes") {
-    std::string text = "caf\u00E9 \u4E2D \U0001F600 \t\n\r\b\f \"\\/\u0085\u2028";
+TEST_CASE("JSON keeps the order of its fields, writes null for what is not finite, and U+FFFD for what is "
+          "not UTF-8") {
+    const Json json{{"b", 1.25}, {"a", unknown}, {"list", {1, "x"}}};
+    CHECK(json::text(json) == "{\"b\":1.25,\"a\":null,\"list\":[1,\"x\"]}");
+    CHECK(json::text("caf\xE9!") == "\"caf\uFFFD!\"");
+    std::string text = "caf\u00E9 \u4E2D \U0001F600 \"\\/\u0085\u2028\x7F";
     for (char c = 0; c < '\x7F'; ++c) text += c;
-    text += '\x7F';
-    CHECK(parse_json(json::text(text)).text == text);
-    CHECK(json::text("\x1f\x7f\t") == "\"\\u001f\\u007f\\u0009\"");
-    CHECK(parse_json("\"\\b\\f\\n\\r\\t\\/\\u0041\"").text == "\b\f\n\r\t/A");
+    CHECK(Json::parse(json::text(text)).get<std::string>() == text);
 }
 
-TEST_CASE("bytes that are not UTF-8 come back from JSON as U+FFFD, each of them") {
-    CHECK(parse_json(json::text("caf\xE9!")).text == "caf\uFFFD!");
-    for (int i = 0; i < 0x10000; ++i) {
-        const std::string pair{char(i >> 8), char(i)};
-        const std::string once = parse_json(json::text(pair)).text;
-        const bool valid = once == pair;
-        if (parse_json(json::text(once)).text != once || (!valid && once.find("\uFFFD") == std::string::npos))
-            FAIL("bytes ", i);
-    }
-}
-
-TEST_CASE("what is not JSON is refused, with the place") {
-    for (const char* wrong : {"", "{", "[1,", "{\"a\" 1}", "[1] 2", "nul", "\"open", "{\"a\":}", "{a: 1}",
-                              "\"\\u00\"", "\"\\u00g0\"", "\"\\u00e9\"", "\"\\"}) {
-        CAPTURE(std::string(wrong));
-        CHECK_THROWS_AS(parse_json(wrong), Error);
-    }
-    CHECK_THROWS_AS(parse_json(std::string(1000, '[')), Error);
-}
-
-TEST_CASE("numbers of JSON are read in every form that they have, and nothing else is one") {
-    const Json list = parse_json("[0, -0.5, 1e3, 2.5E-1, 12345678901234567]");
-    const std::vector<double> wanted{0, -0.5, 1e3, 0.25, 12345678901234567.0};
-    REQUIRE(list.list.size() == wanted.size());
-    for (std::size_t i = 0; i < wanted.size(); ++i) CHECK(number_of(list.list[i]) == wanted[i]);
-    for (const char* wrong : {"nan", "inf", "-inf", "0x10", "+1", "1e", "1-2", "-", "1e999"}) {
-        CAPTURE(std::string(wrong));
-        CHECK_THROWS_AS(parse_json(wrong), Error);
-    }
+TEST_CASE("a table has a row per object, and a dash for what was not measured") {
+    const Json rows{{{"mesh", "cat"}, {"ours_mrays", 1.25}}, {{"mesh", "10k"}, {"ours_mrays", unknown}}};
+    CHECK(table(rows) ==
+          "| mesh | ours mrays |\n|------|-----------:|\n| cat  |       1.25 |\n| 10k  |          - |\n\n");
+    CHECK(table(Json::array()).empty());
 }
 
 namespace {
 
-/// Every opened element is closed, in order; style and text may hold anything but tags.
-bool well_formed(const std::string& text) {
-    std::vector<std::string> open;
-    for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at + 1)) {
-        const std::size_t end = text.find('>', at);
-        if (end == std::string::npos) return false;
-        const std::string tag = text.substr(at + 1, end - at - 1);
-        const std::string name = tag.substr(0, tag.find_first_of(" /", 1));
-        if (tag.ends_with('/')) continue;
-        if (tag[0] != '/') {
-            open.push_back(name);
-        } else if (open.empty() || open.back() != tag.substr(1)) {
-            return false;
-        } else {
-            open.pop_back();
-        }
+/// What bench_traversal and bench_renders write; of the second mesh nothing was measured with bounces.
+const Json numbers = Json::parse(R"({
+    "traversal": {"cases": [
+        {"mesh": "cat", "triangles": 1000, "rays": "primary", "threads": 1, "ours_mrays": 4, "embree_mrays": 5, "ratio": 0.8},
+        {"mesh": "cat", "triangles": 1000, "rays": "bounce", "threads": 1, "ours_mrays": 2, "embree_mrays": 5, "ratio": 0.4},
+        {"mesh": "10k", "triangles": 10000, "rays": "primary", "threads": 1, "ours_mrays": 2, "embree_mrays": 2, "ratio": 1}],
+        "geometric_mean_ratio": 0.68, "build": [],
+        "checks": [{"rays": 10, "only_ours": 1}, {"rays": 20, "only_ours": 2}]},
+    "scaling": {"cases": [
+        {"mesh": "1k", "triangles": 1000, "rays": "primary", "threads": 1, "ours_mrays": 1000, "embree_mrays": null},
+        {"mesh": "10k", "triangles": 10000, "rays": "primary", "threads": 1, "ours_mrays": 500, "embree_mrays": null},
+        {"mesh": "100k", "triangles": 100000, "rays": "primary", "threads": 1, "ours_mrays": 250, "embree_mrays": null},
+        {"mesh": "1M", "triangles": 1000000, "rays": "primary", "threads": 1, "ours_mrays": null, "embree_mrays": null},
+        {"mesh": "10M", "triangles": 10000000, "rays": "primary", "threads": 1, "ours_mrays": 62.5, "embree_mrays": null}],
+        "build": []},
+    "renders": {"renders": [{"step": "05_mesh_bvh", "scene_percent": 5, "build_percent": 15, "traversal_percent": 50,
+        "shading_percent": 30}]}})");
+
+/// The plots of the report, drawn by gnuplot: by name, as SVG. Empty where there is no gnuplot.
+std::map<std::string, std::string> drawn_plots() {
+    std::map<std::string, std::string> drawn;
+    if (std::system("gnuplot --version >/dev/null 2>&1") != 0) return drawn;
+    const auto folder = std::filesystem::temp_directory_path() / ("raysteps_plots_" + random_digits());
+    std::filesystem::create_directories(folder);
+    for (const auto& [name, data] : make_report(numbers, true).plots) {
+        const std::string file = (folder / name).string();
+        write_file(file + ".txt", data);
+        REQUIRE(std::system(("gnuplot -c '" RT_PLOT "' '" + file + ".txt' '" + file + ".svg'").c_str()) == 0);
+        drawn[name] = read_file(file + ".svg");
     }
-    return open.empty();
+    std::filesystem::remove_all(folder);
+    return drawn;
 }
 
-/// The numbers that follow `name='` anywhere in the text.
-std::vector<double> attributes(const std::string& text, const std::string& name) {
-    std::vector<double> values;
-    const std::string key = " " + name + "='";
-    for (std::size_t at = text.find(key); at != std::string::npos; at = text.find(key, at + 1))
-        values.push_back(std::stod(text.substr(at + key.size())));
-    return values;
+/// The two numbers that `pattern` captures, at each of its places in the text.
+std::vector<glm::dvec2> captured(const std::string& text, const std::string& pattern) {
+    std::vector<glm::dvec2> all;
+    const std::regex regex(pattern);
+    for (std::sregex_iterator at(text.begin(), text.end(), regex), end; at != end; ++at)
+        all.push_back({std::stod((*at)[1]), std::stod((*at)[2])});
+    return all;
 }
 
 } // namespace
 
-TEST_CASE("a plot is whole, knows the dark, and leaves out what was not measured") {
-    const std::string log =
-        svg(LogPlot{"a < b & c", "n", "s", {{"one", {{1e3, 1}, {1e4, unknown}, {1e6, 9}}, 0, false}}});
-    const std::string bars = svg(Bars{"bars", "y", {"g", "h"}, {"s", "t"}, {{1, 2}, {unknown, 0.5}}, 1});
-    const std::string shares = svg(Shares{"shares", {"row"}, {"a", "b"}, {{0.25, 0.75}}});
-    for (const std::string& text :
-         {log, bars, shares, svg(LogPlot{"none", "", "", {}}), svg(Bars{"none", "", {}, {}, {}, 0})}) {
-        CAPTURE(text);
-        CHECK(well_formed(text));
-        CHECK(text.find("prefers-color-scheme: dark") != std::string::npos);
-        CHECK(text.find("nan") == std::string::npos);
-        CHECK(text.find("inf") == std::string::npos);
-    }
-    CHECK(log.find("a &lt; b &amp; c") != std::string::npos);
-    CHECK(attributes(log, "cx").size() == 2);
+TEST_CASE("the report adds up the checks, shows its plots, and refuses what are no numbers of a benchmark") {
+    const Report report = make_report(numbers, true);
+    CHECK(report.text.find("|   30 |         3 |") != std::string::npos);
+    CHECK(report.text.find("![Where the time of one thread goes](renders.svg)") != std::string::npos);
+    CHECK(report.plots.size() == 3); // of the builds nothing was measured
+    CHECK(make_report(numbers, false).plots.empty());
+    CHECK(make_report(numbers, false).text.find(".svg") == std::string::npos);
+    for (const char* wrong : {"1", "{}", "{\"cases\": 1}", "{\"cases\": [1], \"build\": []}"})
+        CHECK_THROWS_AS(make_report({{"traversal", Json::parse(wrong)}}, true), Error);
 }
 
-TEST_CASE("equal ratios are equally far apart on a logarithmic axis, more is higher") {
-    const std::string text =
-        svg(LogPlot{"t", "n", "s", {{"one", {{1e3, 1}, {1e4, 2}, {1e5, 4}, {1e7, 16}}, 0, false}}});
-    const std::vector<double> x = attributes(text, "cx"), y = attributes(text, "cy");
-    REQUIRE(x.size() == 4);
-    CHECK(x[1] - x[0] == doctest::Approx(x[2] - x[1]).epsilon(0.01));
-    CHECK(x[3] - x[2] == doctest::Approx(2 * (x[2] - x[1])).epsilon(0.01));
-    CHECK(y[0] - y[1] == doctest::Approx(y[1] - y[2]).epsilon(0.01));
-    CHECK(y[0] > y[1]);
+TEST_CASE("a plot knows the dark, and equal numbers make an equal file") {
+    const auto plots = drawn_plots();
+    if (plots.empty()) {
+        SKIP_CHECK("no gnuplot");
+        return;
+    }
+    CHECK(plots == drawn_plots());
+    for (const auto& [name, svg] : plots) {
+        CAPTURE(name);
+        CHECK(svg.find("prefers-color-scheme: dark") != std::string::npos);
+        CHECK(svg.find("</svg>") != std::string::npos);
+        CHECK_FALSE(std::regex_search(svg, std::regex("[ ,-]nan[ ,]")));
+    }
+}
+
+TEST_CASE("equal ratios are equally far apart on a logarithmic axis, more is higher, and gaps are left out") {
+    const auto plots = drawn_plots();
+    if (plots.empty()) {
+        SKIP_CHECK("no gnuplot");
+        return;
+    }
+    auto dots = captured(plots.at("scaling_ray"),
+                         "<use xlink:href='#gpPt6' transform='translate\\(([0-9.]+),([0-9.]+)\\)");
+    REQUIRE(dots.size() == 5); // four points, and the one of the legend
+    std::ranges::sort(dots, {}, &glm::dvec2::y);
+    CHECK(dots[3].x - dots[4].x == doctest::Approx(dots[2].x - dots[3].x).epsilon(0.01));
+    CHECK(dots[1].x - dots[2].x == doctest::Approx(2 * (dots[2].x - dots[3].x)).epsilon(0.01));
+    CHECK(dots[4].y - dots[3].y == doctest::Approx(dots[3].y - dots[2].y).epsilon(0.01));
+    CHECK(dots[4].y > dots[3].y);
 }
 
 TEST_CASE("a bar of twice the value is twice as high") {
-    const std::string text = svg(Bars{"bars", "y", {"g"}, {"s", "t"}, {{0.4, 0.8}}, 0});
-    std::vector<double> heights = attributes(text, "height");
-    REQUIRE(heights.size() >= 2);
-    CHECK(heights[heights.size() - 1] == doctest::Approx(2 * heights[heights.size() - 2]).epsilon(0.01));
+    const auto plots = drawn_plots();
+    if (plots.empty()) {
+        SKIP_CHECK("no gnuplot");
+        return;
+    }
+    // From the bottom left corner round: what is captured is the bottom and the top.
+    const auto bars =
+        captured(plots.at("traversal_1"), "points = '[0-9.]+,([0-9.]+) [0-9.]+,[0-9.]+ [0-9.]+,([0-9.]+) ");
+    std::set<long> heights;
+    for (const glm::dvec2 bar : bars) heights.insert(std::lround(bar.x - bar.y));
+    REQUIRE(heights.size() >= 3);
+    const double low = double(*std::next(heights.begin(), long(heights.size()) - 3));
+    CHECK(double(*std::next(heights.begin(), long(heights.size()) - 2)) ==
+          doctest::Approx(2 * low).epsilon(0.02));
+    CHECK(double(*heights.rbegin()) == doctest::Approx(2.5 * low).epsilon(0.02));
 }

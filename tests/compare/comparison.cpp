@@ -132,8 +132,8 @@ TEST_CASE(
         const Comparison comparison = compare_images({test, reference});
         CHECK(comparison.verdict == Verdict::different);
         CHECK_ERROR(comparison.lines[0], "different: 2 pixels not a number", "the first at 70,50");
-        CHECK_FALSE(contains(to_json(comparison), ": nan"));
-        CHECK_FALSE(contains(to_json(comparison), ": inf"));
+        CHECK_FALSE(contains(to_json(comparison), ":nan"));
+        CHECK_FALSE(contains(to_json(comparison), ":inf"));
     }
     NoisyPicture a(right, 1);
     a.mean(70, 50) = a.variance(70, 50) = vec3(1, 0, 1); // what a file holds of a NaN: z alone would not mind
@@ -200,20 +200,20 @@ TEST_CASE("a known mistake is named under noise, with its own variance or withou
 TEST_CASE("the JSON has what programs ask for") {
     const Comparison different = compared(mirrored(right, true, false), right);
     CHECK_ERROR(to_json(different),
-                "{\"verdict\": \"different\", \"explanation\": \"flipped left to right\", "
-                "\"flip\": {\"mean\": 0.",
-                "\"rmse\": 0.", "\"tiles_over_4\": null", "\"nearest\": []");
-    CHECK_ERROR(to_json(compared(right, right)), "\"verdict\": \"same\", \"explanation\": \"\"",
-                "\"flip\": {\"mean\": 0, \"max\": 0}, \"rmse\": 0,");
+                "{\"verdict\":\"different\",\"explanation\":\"flipped left to right\","
+                "\"flip\":{\"mean\":0.",
+                "\"rmse\":0.", "\"tiles_over_4\":null", "\"nearest\":[]");
+    CHECK_ERROR(to_json(compared(right, right)), "\"verdict\":\"same\",\"explanation\":\"\"",
+                "\"flip\":{\"mean\":0.0,\"max\":0.0},\"rmse\":0.0,");
     CHECK_ERROR(to_json(compare_images(noisy_input(NoisyPicture(right, 1), NoisyPicture(right, 2)))),
-                "\"verdict\": \"noise\"", "\"tiles_over_4\": 0,");
+                "\"verdict\":\"noise\"", "\"tiles_over_4\":0,");
     const auto brighter = [](vec3 c) { return c + 0.25f; };
     const Comparison lifted = compared(changed(right, brighter), right);
     CHECK(lifted.rmse == doctest::Approx(0.25));
-    CHECK_ERROR(to_json(lifted), "\"explanation\": \"none of these\"");
+    CHECK_ERROR(to_json(lifted), "\"explanation\":\"none of these\"");
     ComparisonInput named{{mirrored(right, true, false)}, {right}};
     add_to_catalogue(named, "a \"quoted\" \\ name", named.test.image);
-    CHECK_ERROR(to_json(compare_images(named)), "\"nearest\": [\"a \\\"quoted\\\" \\\\ name\"]");
+    CHECK_ERROR(to_json(compare_images(named)), "\"nearest\":[\"a \\\"quoted\\\" \\\\ name\"]");
 }
 
 TEST_CASE("the map is black where nothing differs, and tells too bright from too dark under noise") {

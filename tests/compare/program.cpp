@@ -101,7 +101,7 @@ TEST_CASE("compare with variances minds only what noise does not explain") {
     const Said different = run(file("c") + file("b") + "--variance-a " + file("cv") + "--variance-b " +
                                file("bv") + "--map " + map + " --json -");
     CHECK(different.code == 1);
-    CHECK_ERROR(different.out, "{\"verdict\": \"different\"", "all of it times 1.1", "\"tiles_over_4\": ");
+    CHECK_ERROR(different.out, "{\"verdict\":\"different\"", "all of it times 1.1", "\"tiles_over_4\":");
     CHECK(read_image(map).width == 96);
     CHECK(run(file("a") + file("b")).code == 1);
     check_refused(run(file("a") + file("b") + "--variance-a " + file("av")), "--variance-b");
@@ -113,7 +113,7 @@ TEST_CASE("compare writes its verdict as JSON to a file or to the standard outpu
     const Said to_file = run(both + " --json " + json + " --map " + (run.folder / "map.png"));
     CHECK(to_file.code == 1);
     CHECK(to_file.out.rfind("different: ", 0) == 0);
-    CHECK_ERROR(bytes_of(json), "{\"verdict\": \"different\", \"explanation\": \"flipped left to right\"");
+    CHECK_ERROR(bytes_of(json), "{\"verdict\":\"different\",\"explanation\":\"flipped left to right\"");
     const Said to_stdout = run(both + " --json -");
     CHECK(to_stdout.code == 1);
     CHECK(to_stdout.out == bytes_of(json));

@@ -1,7 +1,7 @@
-// JSON: the reader on any text, and both writers of texts, whose output it reads back.
+// JSON: the report of the benchmarks from any numbers, and both writers of texts, whose output is read back.
 #include "common/util/json.h"
 #include "tests/fuzz/fuzz.h"
-#include "tools/bench/json_reader.h"
+#include "tools/bench/report.h"
 #include "tools/tutor/embed.h"
 
 #include <algorithm>
@@ -10,7 +10,8 @@ namespace rt::fuzz {
 
 namespace {
 
-/// The length of the character of UTF-8 that the text begins with; 0 if it begins with none (RFC 3629, section 4).
+/// The length of the character of UTF-8 that the text begins with; 0 if it begins with none (RFC 3629,
+/// section 4).
 std::size_t character_at(std::string_view text) {
     const auto byte = [&](std::size_t i) {
         return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u;
@@ -40,19 +41,27 @@ bool has_control(std::string_view text) {
 }
 
 std::string read_back(const std::string& json) {
-    const bench::Json read = bench::parse_json(json);
-    require(read.kind == bench::Json::Kind::text, "a text is written as a text");
-    return read.text;
+    const Json read = Json::parse(json);
+    require(read.is_string(), "a text is written as a text");
+    return read.get<std::string>();
+}
+
+/// The numbers as one benchmark's, of each kind.
+void check_report(std::string_view bytes) {
+    const Json numbers = Json::parse(bytes, nullptr, false);
+    if (numbers.is_discarded()) return;
+    for (const char* name : {"traversal", "scaling", "renders", "convergence", "obj", "kernels"})
+        refusal([&] {
+            for (const auto& [plot, data] : bench::make_report({{name, numbers}}, true).plots)
+                require(data.starts_with("title = \""), "a plot has a title");
+        });
 }
 
 } // namespace
 
 void run_json(std::string_view bytes) {
-    refusal([&] {
-        const bench::Json read = bench::parse_json(bytes);
-        bench::number_of(bench::field(read, "a"));
-    });
-    const std::string text = json::text(bytes), embedded = embedded_text(bytes);
+    check_report(bytes);
+    const std::string text = json::text(Json(bytes)), embedded = embedded_text(bytes);
     require(!has_control(text) && !has_control(embedded), "no control character stands in JSON");
     require(is_utf8(text) && is_utf8(embedded), "JSON is UTF-8");
     require(embedded.find_first_of("<>&") == std::string::npos, "an embedded text ends no element");

@@ -13,8 +13,8 @@ struct Convergence {
     int samples = 0;
     double seconds = 0; ///< processor time
     double rmse = 0;    ///< of linear radiance, over all pixels and channels
-    double relative =
-        0; ///< mean of (error / (truth + 1/10 of the picture's mean))^2, without the worst 1/1000
+    /// Mean of (error / (truth + 1/10 of the picture's mean))^2, without the worst 1/1000.
+    double relative = 0;
 };
 
 struct Series {

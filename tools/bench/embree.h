@@ -19,33 +19,28 @@
 
 namespace rt::bench {
 
-/// What is asked of Embree's build and traversal. Medium and not robust is its default, and the fastest.
-enum class Quality { medium, high, robust };
-
 #if RT_EMBREE
 
 inline constexpr bool has_embree = true;
 
-/// A committed scene of one mesh, on a device of its own.
+/// A committed scene of one mesh, on a device of its own. Embree's defaults (medium quality, not robust) are
+/// the fastest.
 class Embree {
   public:
-    Embree(const Mesh& mesh, int threads, Quality quality) {
+    Embree(const Mesh& mesh, int threads) {
         device = rtcNewDevice(("threads=" + std::to_string(threads) + ",set_affinity=0").c_str());
         if (!device) throw Error("Embree does not start");
         rtcSetDeviceMemoryMonitorFunction(device, monitor, this);
         warm_up(); // its threads start with the first build
         scene = rtcNewScene(device);
-        rtcSetSceneBuildQuality(scene,
-                                quality == Quality::high ? RTC_BUILD_QUALITY_HIGH : RTC_BUILD_QUALITY_MEDIUM);
-        if (quality == Quality::robust) rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
-        attach(scene, mesh, quality);
-        const std::int64_t before = held;
-        most = before;
+        attach(scene, mesh);
+        const std::int64_t before = allocated;
+        peak = before;
         const auto start = std::chrono::steady_clock::now();
         rtcCommitScene(scene);
         seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        bytes = held - before;
-        peak_bytes = most - before;
+        bytes = allocated - before;
+        peak_bytes = peak - before;
         if (rtcGetDeviceError(device) != RTC_ERROR_NONE) throw Error("Embree reports an error");
     }
     ~Embree() {
@@ -62,23 +57,22 @@ class Embree {
   private:
     static bool monitor(void* self, ssize_t change, bool) {
         auto& embree = *static_cast<Embree*>(self);
-        const std::int64_t now = embree.held += change;
-        std::int64_t top = embree.most;
-        while (now > top && !embree.most.compare_exchange_weak(top, now)) {
+        const std::int64_t now = embree.allocated += change;
+        std::int64_t top = embree.peak;
+        while (now > top && !embree.peak.compare_exchange_weak(top, now)) {
         }
         return true;
     }
 
-    void attach(RTCScene where, const Mesh& mesh, Quality quality) {
+    void attach(RTCScene target, const Mesh& mesh) {
         const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-        if (quality == Quality::high) rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_HIGH);
         rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                    mesh.positions.data(), 0, sizeof(vec3), mesh.positions.size());
         rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                                    mesh.triangles.data(), 0, sizeof(mesh.triangles[0]),
                                    mesh.triangles.size());
         rtcCommitGeometry(geometry);
-        rtcAttachGeometry(where, geometry);
+        rtcAttachGeometry(target, geometry);
         rtcReleaseGeometry(geometry);
     }
 
@@ -87,25 +81,36 @@ class Embree {
         mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
         mesh.triangles.assign(50'000, {0, 1, 2});
         const RTCScene small = rtcNewScene(device);
-        attach(small, mesh, Quality::medium);
+        attach(small, mesh);
         rtcCommitScene(small);
         rtcReleaseScene(small);
     }
 
     RTCDevice device;
-    std::atomic<std::int64_t> held = 0, most = 0;
+    std::atomic<std::int64_t> allocated = 0, peak = 0;
 };
 
-/// Embree's manual asks that denormal numbers count as zero while it traces.
-struct FlushDenormals {
+/// What a thread needs to send rays. Embree's manual wants denormal numbers to count as zero meanwhile.
+class EmbreeQuery {
+  public:
+    explicit EmbreeQuery(const Embree& embree) : scene(embree.scene) {
+        rtcInitIntersectContext(&context);
 #if defined(__SSE2__)
-    FlushDenormals() : before(_mm_getcsr()) {
-        _mm_setcsr(before | 0x8040);
+        _mm_setcsr(control | 0x8040);
     }
-    ~FlushDenormals() {
-        _mm_setcsr(before);
+    ~EmbreeQuery() {
+        _mm_setcsr(control);
+#endif
     }
-    unsigned before;
+    EmbreeQuery(const EmbreeQuery&) = delete;
+    EmbreeQuery& operator=(const EmbreeQuery&) = delete;
+
+    RTCScene scene;
+    RTCIntersectContext context;
+
+  private:
+#if defined(__SSE2__)
+    unsigned control = _mm_getcsr();
 #endif
 };
 
@@ -122,25 +127,43 @@ inline RTCRay embree_ray(const Ray& ray) {
     return r;
 }
 
-inline Found nearest(const Embree& embree, RTCIntersectContext& context, const Ray& ray) {
-    RTCRayHit query;
-    query.ray = embree_ray(ray);
-    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(embree.scene, &context, &query);
-    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
-    return {query.ray.tfar, query.hit.u, query.hit.v, query.hit.primID};
+inline ClosestHit closest_hit(EmbreeQuery& query, const Ray& ray) {
+    RTCRayHit hit;
+    hit.ray = embree_ray(ray);
+    hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    hit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    rtcIntersect1(query.scene, &query.context, &hit);
+    if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
+    return {hit.ray.tfar, hit.hit.u, hit.hit.v, hit.hit.primID};
 }
 
-inline bool any_hit(const Embree& embree, RTCIntersectContext& context, const Ray& ray) {
-    RTCRay query = embree_ray(ray);
-    rtcOccluded1(embree.scene, &context, &query);
-    return query.tfar < 0; // minus infinity
+inline bool any_hit(EmbreeQuery& query, const Ray& ray) {
+    RTCRay shadow = embree_ray(ray);
+    rtcOccluded1(query.scene, &query.context, &shadow);
+    return shadow.tfar < 0; // minus infinity
 }
 
-#else
+#else // what the benchmark compiles with where there is no Embree; it makes none
 
 inline constexpr bool has_embree = false;
+
+struct Embree {
+    Embree(const Mesh&, int) {}
+    double seconds = 0;
+    std::int64_t bytes = 0, peak_bytes = 0;
+};
+
+struct EmbreeQuery {
+    explicit EmbreeQuery(const Embree&) {}
+};
+
+inline ClosestHit closest_hit(EmbreeQuery&, const Ray&) {
+    return {};
+}
+
+inline bool any_hit(EmbreeQuery&, const Ray&) {
+    return false;
+}
 
 #endif
 

@@ -140,9 +140,9 @@ void camera(benchmark::State& state) {
 }
 
 void tree_build(benchmark::State& state) {
-    const Subject subject = knot_field("", int(state.range(0)));
-    for (auto _ : state) benchmark::DoNotOptimize(build_ours(subject.mesh, 1));
-    state.SetItemsProcessed(state.iterations() * std::int64_t(subject.mesh.triangles.size()));
+    const BenchScene scene = knot_field("", int(state.range(0)));
+    for (auto _ : state) benchmark::DoNotOptimize(build_ours(scene.mesh, 1));
+    state.SetItemsProcessed(state.iterations() * std::int64_t(scene.mesh.triangles.size()));
 }
 
 /// Random colours.

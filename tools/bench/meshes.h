@@ -4,6 +4,7 @@
 
 #include "01_spheres/camera.h"
 #include "05_mesh_bvh/mesh.h"
+#include "common/util/error.h"
 #include "common/util/paths.h"
 #include "common/math/random.h"
 
@@ -14,7 +15,7 @@
 namespace rt::bench {
 
 /// A mesh, a camera that sees it, and a small square light under the ceiling. Every ray meets something.
-struct Subject {
+struct BenchScene {
     std::string name;
     Mesh mesh;
     LookAt look_at;
@@ -74,7 +75,7 @@ struct Placement {
     vec3 axis_x, axis_y, axis_z, center;
 };
 
-inline vec3 turned(const Placement& place, vec3 v) {
+inline vec3 rotated(const Placement& place, vec3 v) {
     return v.x * place.axis_x + v.y * place.axis_y + v.z * place.axis_z;
 }
 
@@ -90,8 +91,8 @@ inline void add_knot(Mesh& mesh, const Knot& knot, const Placement& place, float
         const vec3 b = cross(along, n);
         for (int j = 0; j < sides; ++j) {
             const float angle = 2 * pi * float(j) / float(sides);
-            const vec3 out = turned(place, std::cos(angle) * n + std::sin(angle) * b);
-            add_vertex(mesh, place.center + scale * (turned(place, point) + thickness * out), normalize(out),
+            const vec3 out = rotated(place, std::cos(angle) * n + std::sin(angle) * b);
+            add_vertex(mesh, place.center + scale * (rotated(place, point) + thickness * out), normalize(out),
                        {float(i) / float(segments), float(j) / float(sides)});
         }
     }
@@ -117,75 +118,54 @@ inline Placement random_placement(Random& random, vec3 center) {
     return {x, y, cross(x, y), center};
 }
 
-/// A shared buffer of Embree's is read 16 bytes at a time: one vertex more than needed must be readable.
-inline void reserve(Mesh& mesh, std::size_t triangles) {
-    const std::size_t vertices = triangles / 2 + 64;
-    mesh.positions.reserve(vertices);
-    mesh.normals.reserve(vertices);
-    mesh.uvs.reserve(vertices);
-    mesh.triangles.reserve(triangles + 64);
-    mesh.materials.reserve(triangles + 64);
-}
-
-/// Frees what the vectors hold in reserve, but for one vertex.
-inline void trim(Mesh& mesh) {
-    mesh.positions.push_back(vec3(0));
-    mesh.positions.shrink_to_fit();
-    mesh.positions.pop_back();
-    mesh.normals.shrink_to_fit();
-    mesh.uvs.shrink_to_fit();
-    mesh.triangles.shrink_to_fit();
-    mesh.materials.shrink_to_fit();
-}
-
 /// The light is a square of a tenth of the ceiling's width in its middle.
-inline void furnish(Subject& subject, const Aabb& room) {
-    add_room(subject.mesh, room);
-    trim(subject.mesh);
+inline void furnish(BenchScene& scene, const Aabb& room) {
+    add_room(scene.mesh, room);
+    scene.mesh.positions.reserve(scene.mesh.positions.size() +
+                                 1); // Embree reads the last vertex as four floats
     const vec3 size = room.max - room.min;
     const vec3 top(centroid(room).x, room.max.y - 0.002f * size.y, centroid(room).z);
-    subject.light_u = vec3(0.1f * size.x, 0, 0);
-    subject.light_v = vec3(0, 0, 0.1f * size.z);
-    subject.light_corner = top - (subject.light_u + subject.light_v) / 2.0f;
+    scene.light_u = vec3(0.1f * size.x, 0, 0);
+    scene.light_v = vec3(0, 0, 0.1f * size.z);
+    scene.light_corner = top - (scene.light_u + scene.light_v) / 2.0f;
 }
 
 /// About `triangles` of them: eight knots, each in a cell of 1 m, the same shapes however finely they are
 /// cut. The same on every run.
-inline Subject knot_field(const std::string& name, int triangles) {
-    Subject subject;
-    subject.name = name;
+inline BenchScene knot_field(const std::string& name, int triangles) {
+    BenchScene scene;
+    scene.name = name;
     const int side = 2;
     const double quads = std::max(24.0, (double(triangles) - 12) / 2 / (side * side * side));
     const int sides = std::max(3, int(std::lround(std::sqrt(quads / 16))));
     const int segments = std::max(8, int(std::lround(quads / sides)));
-    reserve(subject.mesh, std::size_t(2 * segments * sides * side * side * side));
     constexpr std::array<Knot, 5> knots{{{2, 3}, {3, 2}, {2, 5}, {3, 4}, {1, 4}}};
     Random random(1);
     for (int i = 0; i < side * side * side; ++i) {
         const vec3 cell(i % side, i / side % side, i / (side * side));
         const Placement place = random_placement(random, cell + 0.5f);
-        add_knot(subject.mesh, knots[std::size_t(i) % knots.size()], place, 0.49f / 3.28f, segments, sides);
+        add_knot(scene.mesh, knots[std::size_t(i) % knots.size()], place, 0.49f / 3.28f, segments, sides);
     }
     const float s = float(side);
-    furnish(subject, {vec3(-0.3f, -0.1f, -0.3f), vec3(s + 0.3f, s + 0.2f, s + 0.9f)});
-    subject.look_at = {
+    furnish(scene, {vec3(-0.3f, -0.1f, -0.3f), vec3(s + 0.3f, s + 0.2f, s + 0.9f)});
+    scene.look_at = {
         .from = {0.2f * s, 0.7f * s, s + 0.8f}, .at = {0.55f * s, 0.42f * s, 0.4f * s}, .fov = 55};
-    return subject;
+    return scene;
 }
 
 /// One of the assets, on the floor of a room three times as wide as it is long.
-inline Subject animal(const std::string& name) {
-    Subject subject;
-    subject.name = name;
+inline BenchScene animal_in_room(const std::string& name) {
+    BenchScene scene;
+    scene.name = name;
     const ObjModel file = read_obj(asset_path(name + ".obj"));
-    append_model(subject.mesh, file, std::vector<int>(file.materials.size(), 0), 40);
-    const Aabb box = bounds(subject.mesh);
+    append_model(scene.mesh, file, std::vector<int>(file.materials.size(), 0), 40);
+    const Aabb box = bounds(scene.mesh);
     const vec3 center = centroid(box);
     const float r = length(box.max - box.min) / 2;
     const vec3 floor(center.x, box.min.y - 0.001f * r, center.z);
-    furnish(subject, {floor - r * vec3(2.5f, 0, 2.5f), floor + r * vec3(2.5f, 3, 2.5f)});
-    subject.look_at = {.from = center + r * vec3(0.7f, 0.6f, 1.5f), .at = center, .fov = 50};
-    return subject;
+    furnish(scene, {floor - r * vec3(2.5f, 0, 2.5f), floor + r * vec3(2.5f, 3, 2.5f)});
+    scene.look_at = {.from = center + r * vec3(0.7f, 0.6f, 1.5f), .at = center, .fov = 50};
+    return scene;
 }
 
 /// The number in "10k", "5M" or "250000"; 0 if it is none between 100 and 50 million.
@@ -199,8 +179,8 @@ inline int triangle_count(const std::string& name) {
     return count >= 100 && count <= 5e7 ? int(count) : 0;
 }
 
-inline Subject make_subject(const std::string& name) {
-    if (name == "cat" || name == "cow") return animal(name);
+inline BenchScene make_scene(const std::string& name) {
+    if (name == "cat" || name == "cow") return animal_in_room(name);
     const int count = triangle_count(name);
     if (count == 0)
         throw Error("--meshes: " + name +

@@ -1,30 +1,30 @@
-// What a watched program is at, and where its time has gone.
+// What a profiled program is doing.
 #pragma once
 
 #include <atomic>
 
 namespace rt::bench {
 
-/// It makes its scene until the first ray; whatever is not traversal from then on is shading.
+/// The program makes its scene until the first ray; from then on, all that is not traversal is shading.
 enum class Phase { scene, build, traversal, shading };
 
 inline std::atomic<Phase> phase = Phase::scene;
 
-/// The program is at `during` while this lives, and at `after` from then on.
-class During {
+/// Sets the phase to `during` while this object lives, and to `next` at its end.
+class PhaseScope {
   public:
-    During(Phase during, Phase next) : after(next) { say(during); }
-    ~During() { say(after); }
-    During(const During&) = delete;
-    During& operator=(const During&) = delete;
+    PhaseScope(Phase during, Phase next_) : next(next_) { set(during); }
+    ~PhaseScope() { set(next); }
+    PhaseScope(const PhaseScope&) = delete;
+    PhaseScope& operator=(const PhaseScope&) = delete;
 
   private:
-    static void say(Phase now) {
+    static void set(Phase now) {
         std::atomic_signal_fence(std::memory_order_seq_cst); // the compiler moves no memory access across
         phase.store(now, std::memory_order_relaxed);
         std::atomic_signal_fence(std::memory_order_seq_cst);
     }
-    const Phase after;
+    const Phase next;
 };
 
 } // namespace rt::bench

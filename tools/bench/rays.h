@@ -1,4 +1,4 @@
-// The three kinds of rays that a path tracer sends: from the camera, onward from what it sees, and to a lamp.
+// The three kinds of rays of a path tracer: camera rays, diffuse bounces, and shadow rays to a light.
 #pragma once
 
 #include "02_shadows/spawn_ray.h"
@@ -12,17 +12,16 @@
 
 namespace rt::bench {
 
-/// The same rays for both sides of a comparison, in the order in which they are traced.
+/// The same rays for both sides, in the order in which they are traced.
 struct RaySets {
-    std::vector<Ray> primary; ///< coherent: neighbours stand side by side
+    std::vector<Ray> primary; ///< coherent: neighbours follow each other
     std::vector<Ray> bounce;  ///< incoherent: cosine-distributed from the primary hits
-    std::vector<Ray> shadow;  ///< segments from the primary hits that face the light to points of it
+    std::vector<Ray> shadow;  ///< segments from the primary hits to points of the light
 };
 
-/// A picture of `size` x `size` pixels, in tiles of 16 x 16 (`size` is a multiple of it) and rows within a
-/// tile.
-inline std::vector<Ray> primary_rays(const Subject& subject, int size) {
-    const Camera camera = make_camera(subject.look_at, size, size);
+/// The rays of `size` x `size` pixels, in tiles of 16 x 16 (`size` is a multiple of 16).
+inline std::vector<Ray> primary_rays(const BenchScene& scene, int size) {
+    const Camera camera = make_camera(scene.look_at, size, size);
     const int tile = 16, columns = size / tile;
     std::vector<Ray> rays;
     rays.reserve(std::size_t(size) * std::size_t(size));
@@ -35,24 +34,23 @@ inline std::vector<Ray> primary_rays(const Subject& subject, int size) {
     return rays;
 }
 
-/// The rays that leave the primary hits. Those that would start into the surface's shadow side are left out,
-/// as a renderer does.
-inline RaySets make_rays(const Subject& subject, const Ours& ours, int size) {
-    RaySets sets{primary_rays(subject, size), {}, {}};
+/// The rays from the primary hits; a shadow ray only where the surface faces the light, as in a renderer.
+inline RaySets make_rays(const BenchScene& scene, const Ours& ours, int size) {
+    RaySets sets{primary_rays(scene, size), {}, {}};
     sets.bounce.reserve(sets.primary.size());
     sets.shadow.reserve(sets.primary.size());
     Random random(2);
     for (const Ray& ray : sets.primary) {
-        const Found found = nearest(ours, ray);
-        if (found.primitive == nothing) continue;
-        const vec3 outward = vec3(normalize(area_normal(vertices(subject.mesh, found.primitive))));
+        const ClosestHit hit = closest_hit(ours, ray);
+        if (hit.primitive == no_primitive) continue;
+        const vec3 outward = vec3(normalize(area_normal(vertices(scene.mesh, hit.primitive))));
         const vec3 normal = dot(ray.direction, outward) > 0 ? -outward : outward;
-        const vec3 position = at(ray, found.t);
+        const vec3 position = at(ray, hit.t);
         const vec3 start = position + position_error(ray.origin, position) * normal;
         sets.bounce.push_back({start, sample_cosine_hemisphere(normal, random.uniform2())});
         const vec2 u = random.uniform2();
-        const vec3 way = subject.light_corner + u.x * subject.light_u + u.y * subject.light_v - start;
-        if (dot(way, normal) > 0) sets.shadow.push_back({start, way, 0, 1});
+        const vec3 to_light = scene.light_corner + u.x * scene.light_u + u.y * scene.light_v - start;
+        if (dot(to_light, normal) > 0) sets.shadow.push_back({start, to_light, 0, 1});
     }
     return sets;
 }

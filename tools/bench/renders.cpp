@@ -1,48 +1,47 @@
-// What each step's reference picture costs: seconds and rays a second with all threads, and where one
-// thread's time goes, which a program built from the same main.cpp tells (watched.h).
-#include "common/util/report_error.h"
+// Measures what each step's reference picture costs: seconds and rays per second with all threads, and where
+// one thread's time goes, by a program built from the same main.cpp (profiled.h).
 #include "common/util/error.h"
-#include "common/util/json.h"
+#include "tools/bench/program.h"
 #include "tools/bench/statistics.h"
-
-#include <CLI/CLI.hpp>
 
 #include <array>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <sstream>
-#include <string>
-#include <vector>
 
 namespace rt::bench {
 
-struct Wish {
+struct RenderOptions {
     std::vector<std::string> steps;
     int rounds = 3, threads = 0;
     std::string json;
     bool quick = false;
 };
 
-/// What a program has said, and how long it took from start to end.
-struct Said {
-    std::string text;
+/// What a program has printed, and how long it ran.
+struct ProgramRun {
+    std::string output;
     double seconds;
 };
 
-Said run_program(const std::string& command) {
+ProgramRun run_step(const std::string& program, const std::string& step, int threads, bool quick) {
+    std::filesystem::create_directories(RT_OUT);
+    const std::string command = "\"" RT_BIN "/" + program + "\" --out \"" RT_OUT "/" + step + ".hdr\"" +
+                                (threads > 0 ? " --threads " + std::to_string(threads) : "") +
+                                (quick ? " --width 96 --height 60 --samples 1" : "") + " 2>&1";
     const auto start = std::chrono::steady_clock::now();
-    std::FILE* const pipe = popen((command + " 2>&1").c_str(), "r");
+    std::FILE* const pipe = popen(command.c_str(), "r");
     if (!pipe) throw Error("cannot run " + command);
-    Said said;
+    ProgramRun run;
     std::array<char, 4096> buffer;
-    while (std::fgets(buffer.data(), buffer.size(), pipe)) said.text += buffer.data();
-    if (pclose(pipe) != 0) throw Error("this failed: " + command + ": " + said.text);
-    said.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    return said;
+    while (std::fgets(buffer.data(), buffer.size(), pipe)) run.output += buffer.data();
+    if (pclose(pipe) != 0) throw Error("this failed: " + command + ": " + run.output);
+    run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return run;
 }
 
-/// The line that begins with `word`, without it.
+/// The rest of the line that begins with `word`.
 std::istringstream line_of(const std::string& text, const std::string& word) {
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);)
@@ -50,95 +49,56 @@ std::istringstream line_of(const std::string& text, const std::string& word) {
     throw Error("the program does not print a line '" + word + "': " + text);
 }
 
-/// Of the line "time 2.31 s, 123456 rays, ...".
-struct Cost {
-    double seconds = 0, rays = 0;
-};
-
-Cost cost_of(const std::string& text) {
-    Cost cost;
-    std::string unit;
-    line_of(text, "time") >> cost.seconds >> unit >> cost.rays;
-    return cost;
-}
-
-std::string flags(const std::string& name, const Wish& wish, int threads) {
-    const std::string out = (std::filesystem::path(RT_OUT) / name).string();
-    std::filesystem::create_directories(RT_OUT);
-    return " --out \"" + out + ".hdr\"" + (threads > 0 ? " --threads " + std::to_string(threads) : "") +
-           (wish.quick ? " --width 96 --height 60 --samples 1" : "");
-}
-
-std::string measure(const std::string& step, const Wish& wish) {
-    std::vector<double> whole, seconds, rates;
-    double rays = 0;
-    for (int i = 0; i < wish.rounds; ++i) {
-        const Said said = run_program("\"" RT_BIN "/" + step + "\"" + flags(step, wish, wish.threads));
-        const Cost cost = cost_of(said.text);
-        rays = cost.rays;
-        whole.push_back(said.seconds);
-        seconds.push_back(cost.seconds);
+Json measure(const std::string& step, const RenderOptions& options) {
+    std::vector<double> seconds, render_seconds;
+    std::int64_t rays = 0;
+    for (int i = 0; i < options.rounds; ++i) {
+        const ProgramRun run = run_step(step, step, options.threads, options.quick);
+        seconds.push_back(run.seconds);
+        std::string unit;
+        line_of(run.output, "time") >> render_seconds.emplace_back() >> unit >>
+            rays; // "time 2.31 s, 123456 rays, ..."
     }
     std::array<double, 4> shares{};
-    double samples = 0;
-    const Said watched = run_program("\"" RT_BIN "/watched_" + step + "\"" + flags(step, wish, 1));
-    std::istringstream line = line_of(watched.text, "shares");
+    std::istringstream line = line_of(run_step("profiled_" + step, step, 1, options.quick).output, "shares");
     for (double& share : shares) line >> share;
-    line >> samples;
-    const double mrays = median(seconds) > 0 ? rays / median(seconds) * 1e-6 : unknown;
-    std::printf(
-        "%-15s %7.2f s, render %7.2f s, %7.2f Mrays/s; one thread: scene %4.1f %%, build %4.1f %%, traversal "
-        "%4.1f %%, shading %4.1f %%\n",
-        step.c_str(), median(whole), median(seconds), mrays, 100 * shares[0], 100 * shares[1],
-        100 * shares[2], 100 * shares[3]);
-    std::fflush(stdout);
-    return json::object({{"step", json::text(step)},
-                         {"seconds", json::number(median(whole))},
-                         {"render_seconds", json::number(median(seconds))},
-                         {"rays", json::number(std::int64_t(rays))},
-                         {"mrays_per_second", json::number(mrays)},
-                         {"scene_share", json::number(shares[0])},
-                         {"build_share", json::number(shares[1])},
-                         {"traversal_share", json::number(shares[2])},
-                         {"shading_share", json::number(shares[3])},
-                         {"samples", json::number(std::int64_t(samples))}});
+    const Json row{{"step", step},
+                   {"seconds", median(seconds)},
+                   {"render_seconds", median(render_seconds)},
+                   {"rays", rays},
+                   {"mrays_per_second", 1e-6 * double(rays) / median(render_seconds)},
+                   {"scene_percent", 100 * shares[0]},
+                   {"build_percent", 100 * shares[1]},
+                   {"traversal_percent", 100 * shares[2]},
+                   {"shading_percent", 100 * shares[3]}};
+    print_row(row);
+    return row;
 }
 
-void run(Wish wish) {
-    if (wish.steps.empty()) {
-        std::istringstream all(RT_STEPS);
-        for (std::string step; all >> step;) wish.steps.push_back(step);
-    }
-    if (wish.quick) wish.rounds = 1;
-    json::check_writable(wish.json);
-    std::vector<std::string> renders;
-    for (const std::string& step : wish.steps) renders.push_back(measure(step, wish));
-    json::write(wish.json, json::object({{"renders", json::array(renders)}}));
+std::vector<std::string> all_steps() {
+    std::istringstream names(RT_STEPS);
+    return {std::istream_iterator<std::string>(names), {}};
 }
 
 } // namespace rt::bench
 
 int main(int argc, char** argv) {
-    rt::bench::Wish wish;
+    using namespace rt::bench;
+    RenderOptions options{all_steps()};
     CLI::App app("Times each step's reference picture, and says where the time goes.", "bench_renders");
-    std::istringstream all(RT_STEPS);
-    std::vector<std::string> names;
-    for (std::string step; all >> step;) names.push_back(step);
-    app.add_option("--steps", wish.steps, "the steps, separated by commas; all if not given")
+    app.add_option("--steps", options.steps, "the steps, separated by commas; all if not given")
         ->delimiter(',')
-        ->check(CLI::IsMember(names));
-    app.add_option("--rounds", wish.rounds, "how often each is rendered; the median counts")
+        ->check(CLI::IsMember(all_steps()));
+    app.add_option("--rounds", options.rounds, "how often each is rendered; the median counts")
         ->check(CLI::Range(1, 1000));
-    app.add_option("--threads", wish.threads, "0: all cores")->check(CLI::Range(0, 1024));
-    app.add_option("--json", wish.json, "a file for the numbers");
-    app.add_flag("--quick", wish.quick, "tiny pictures: does it run?");
-    try {
-        app.parse(argc, argv);
-        rt::bench::run(wish);
-        return 0;
-    } catch (const CLI::CallForHelp& help) {
-        return app.exit(help);
-    } catch (const std::exception& problem) {
-        return rt::report_error("bench_renders", problem.what());
-    }
+    app.add_option("--threads", options.threads, "0: all cores")->check(CLI::Range(0, 1024));
+    app.add_flag("--quick", options.quick, "tiny pictures: does it run?");
+    add_json_option(app, options.json);
+    return run_program(app, argc, argv, [&] {
+        if (options.quick) options.rounds = 1;
+        check_json(options.json);
+        rt::Json rows = rt::Json::array();
+        for (const std::string& step : options.steps) rows.push_back(measure(step, options));
+        write_json(options.json, {{"renders", rows}});
+    });
 }

@@ -1,16 +1,15 @@
 // Medians and geometric means.
 #pragma once
 
+#include "tools/bench/table.h"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace rt::bench {
 
-inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
-/// Unknown if there are none.
+/// Returns `unknown` if there are no values.
 inline double median(std::vector<double> values) {
     if (values.empty()) return unknown;
     std::ranges::sort(values);
@@ -18,7 +17,7 @@ inline double median(std::vector<double> values) {
     return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
 }
 
-/// Of those that are numbers.
+/// The geometric mean of those values that are numbers above 0.
 inline double geometric_mean(const std::vector<double>& values) {
     double sum = 0;
     int count = 0;

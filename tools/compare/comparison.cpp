@@ -120,15 +120,6 @@ void decide(Comparison& comparison, const Difference& difference, const Comparis
     comparison.lines.push_back(headline(comparison.verdict, words.words));
 }
 
-// ---- JSON
-
-/// On one line.
-std::string texts(const std::vector<std::string>& all) {
-    std::string out;
-    for (const std::string& text : all) out += (out.empty() ? "" : ", ") + json::text(text);
-    return "[" + out + "]";
-}
-
 // ---- the map
 
 /// Colours of our own, as sRGB: ever lighter from black over violet, red and orange to pale yellow.
@@ -187,16 +178,14 @@ Comparison compare_images(const ComparisonInput& q) {
 }
 
 std::string to_json(const Comparison& comparison) {
-    const FlipMap& seen = comparison.flip;
-    return json::object(
-        {{"verdict", json::text(name_of(comparison.verdict))},
-         {"explanation", json::text(comparison.explanation)},
-         {"flip", json::object({{"mean", json::number(seen.mean)}, {"max", json::number(seen.max)}})},
-         {"rmse", json::number(comparison.rmse)},
-         {"tiles_over_4", comparison.tiles ? json::number(std::int64_t(comparison.tiles->outliers)) : "null"},
-         {"where", json::text(comparison.location.words)},
-         {"nearest", texts(comparison.match.names)},
-         {"words", texts(comparison.lines)}});
+    return json::text({{"verdict", name_of(comparison.verdict)},
+                       {"explanation", comparison.explanation},
+                       {"flip", {{"mean", comparison.flip.mean}, {"max", comparison.flip.max}}},
+                       {"rmse", comparison.rmse},
+                       {"tiles_over_4", comparison.tiles ? Json(comparison.tiles->outliers) : Json()},
+                       {"where", comparison.location.words},
+                       {"nearest", comparison.match.names},
+                       {"words", comparison.lines}});
 }
 
 Image error_map(const Comparison& comparison) {

@@ -16,22 +16,26 @@ echo "docs/figures/07_variance.png: 07_antialias ${four[*]}; left the picture, r
 small=(--quiet --width 200 --height 125)
 "$BUILD/bin/07_antialias" "${small[@]}" --samples 2048 --seed 99 --out "$made/07_truth"
 rmse() { # rmse NAME: of that picture
-    { "$BUILD/bin/compare" "$made/$1.hdr" "$made/07_truth.hdr" --json - || true; } | sed -n 's/.*"rmse": *\([-0-9.e]*\).*/\1/p'
+    { "$BUILD/bin/compare" "$made/$1.hdr" "$made/07_truth.hdr" --json - || true; } | sed -n 's/.*"rmse": *\([-0-9.e]*\).*/\1/p' | xargs printf '%.6g'
 }
 {
-    echo "# Measured by tools/figures/07_antialias.sh: 200 x 125 pixels of step 07 against 2048 samples a pixel."
-    echo "title Error against samples, by sampler"
-    echo "x samples a pixel"
-    echo "y error (RMSE of linear radiance)"
-    colour=0
+    echo "# Measured by tools/figures/07_antialias.sh: 200 x 125 pixels of step 07 against 2048 samples per pixel."
+    echo 'kind = "curves"'
+    echo 'title = "Error against samples, by sampler"'
+    echo 'x_label = "samples per pixel"'
+    echo 'y_label = "error (RMSE of linear radiance)"'
+    echo 'styles = "1 2 3"'
+    # shellcheck disable=SC2016 # $data is gnuplot's
+    echo '$data << END'
     for sampler in random stratified sobol; do
-        echo "curve $colour solid $sampler"
-        colour=$((colour + 1))
+        [ $sampler = random ] || printf '\n\n'
+        echo "\"$sampler\""
         for samples in 1 2 4 8 16 32 64 128 256; do
             "$BUILD/bin/07_antialias" "${small[@]}" --sampler $sampler --samples $samples --out "$made/07_noise" >"$made/said.txt"
             echo "$samples $(rmse 07_noise)"
         done
     done
+    echo END
 } >"$made/07_errors.txt"
 cp "$made/07_errors.txt" "$figures/07_noise.txt"
-plot 07_noise "$figures/07_noise.txt"
+plot 07_noise

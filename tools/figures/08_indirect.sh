@@ -20,25 +20,31 @@ bench=$ROOT/build/bench/bin/bench_convergence
 [ -x "$BUILD/bin/bench_convergence" ] && bench=$BUILD/bin/bench_convergence
 flags=(--scenes room --size 64 --most 128 --truth 4096 --repeats 2)
 # The relative error leaves out the worst thousandth of the pixels: the rim of the lamp and rare bright dots would decide.
-curve() { # curve COLOUR DASHES ESTIMATOR SAMPLER
-    echo "curve $1 $2 $3, $4"
-    tr '{' '\n' <"$made/08_noise.json" | grep "\"$3\"" | grep "\"$4\"" |
-        sed -n 's/.*"seconds": *\([-0-9.e]*\),.*"relative_mse": *\([-0-9.e]*\).*/\1 \2/p' | awk '{ print $1, sqrt($2) }'
+curve() { # curve ESTIMATOR SAMPLER
+    printf '"%s, %s"\n' "$1" "$2"
+    tr -d '\n' <"$made/08_noise.json" | tr '{' '\n' | grep "\"$1\"" | grep "\"$2\"" |
+        sed -n 's/.*"seconds": *\([-0-9.e]*\),.*"relative_mse": *\([-0-9.e]*\).*/\1 \2/p' |
+        awk '{ printf "%.6g %.6g\n", $1, sqrt($2) }'
 }
 if [ -x "$bench" ]; then
-    "$bench" "${flags[@]}" --json "$made/08_noise.json" --plots "$made" >"$made/08_noise.md"
+    "$bench" "${flags[@]}" --json "$made/08_noise.json" >"$made/08_noise.md"
     {
         echo "# Measured by tools/figures/08_indirect.sh: bench_convergence ${flags[*]}"
         grep '^|' "$made/08_noise.md" | sed 's/^/# /'
-        echo "title Error against time in the room, for each way to look for light"
-        echo "x processor seconds"
-        echo "y relative error, without the worst thousandth"
-        curve 0 solid MIS sobol
-        curve 0 dashed MIS random
-        curve 2 dashed lights random
-        curve 4 dashed bounces random
-        curve 1 dashed book random
+        echo 'kind = "curves"'
+        echo 'title = "Error against time in the room, for each way to look for light"'
+        echo 'x_label = "processor seconds"'
+        echo 'y_label = "relative error, without the worst thousandth"'
+        echo 'styles = "1 11 13 15 12"'
+        # shellcheck disable=SC2016 # $data is gnuplot's
+        echo '$data << END'
+        curve MIS sobol
+        for estimator in MIS lights bounces book; do
+            printf '\n\n'
+            curve $estimator random
+        done
+        echo END
     } >"$made/08_errors.txt"
     cp "$made/08_errors.txt" "$figures/08_noise.txt"
 fi
-plot 08_noise "$figures/08_noise.txt"
+plot 08_noise

@@ -15,7 +15,12 @@ picture() {
     cp "$made/$name.png" "$figures/$name.png"
 }
 
-plot() { # plot NAME FILE: docs/figures/NAME.svg from a text of curves (tools/figures/plot.cpp says which)
-    echo "docs/figures/$1.svg: from $(basename "$2")"
-    "$BUILD/bin/plot" "$2" "$figures/$1.svg"
+# plot NAME: draws docs/figures/NAME.svg from docs/figures/NAME.txt (tools/figures/plot.gp says what is in it).
+plot() {
+    echo "docs/figures/$1.svg: from $1.txt"
+    command -v gnuplot >/dev/null || {
+        echo "figures: gnuplot draws the plots, and is not here; on Debian: apt-get install gnuplot-nox" >&2
+        exit 1
+    }
+    (cd "$figures" && gnuplot -c "$ROOT/tools/figures/plot.gp" "$1.txt" "$1.svg")
 }

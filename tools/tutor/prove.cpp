@@ -278,25 +278,21 @@ Count judge(const Toolchain& tools, StepProof& proof, bool write) {
     return count;
 }
 
-json::Fields json_fields(const Count& count) {
-    const auto whole = [](int value) { return json::number(std::int64_t(value)); };
-    return {{"stubs", whole(count.stubs)},
-            {"stubs_failing", whole(count.stubs_failing)},
-            {"mistakes", whole(count.mistakes)},
-            {"caught", whole(count.caught)},
-            {"named_first", whole(count.named_first)},
-            {"named_in_group", whole(count.named_in_group)},
-            {"pictures", whole(count.pictures)}};
+Json json(const Count& count) {
+    return {{"step", count.step},
+            {"stubs", count.stubs},
+            {"stubs_failing", count.stubs_failing},
+            {"mistakes", count.mistakes},
+            {"caught", count.caught},
+            {"named_first", count.named_first},
+            {"named_in_group", count.named_in_group},
+            {"pictures", count.pictures}};
 }
 
 std::string json(const std::vector<Count>& counts, const Count& total) {
-    std::vector<std::string> steps;
-    for (const Count& count : counts) {
-        json::Fields fields = json_fields(count);
-        fields.insert(fields.begin(), {"step", json::text(count.step)});
-        steps.push_back(json::object(fields));
-    }
-    return json::object({{"steps", json::array(steps)}, {"total", json::object(json_fields(total))}}) + "\n";
+    Json all{{"steps", Json::array()}, {"total", json(total)}};
+    for (const Count& count : counts) all["steps"].push_back(json(count));
+    return json::text(all, 1) + "\n";
 }
 
 void print_row(const Count& count) {

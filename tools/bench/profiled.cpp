@@ -1,35 +1,32 @@
-// A second thread that looks every 50 microseconds at what a step's program is at. The program must render
-// with one thread. In the end it prints a line "shares <scene> <build> <traversal> <shading> <samples>" on
+// A second thread that samples the phase of a step's program every 50 microseconds. The program must render
+// with one thread. At its end it prints a line "shares <scene> <build> <traversal> <shading> <samples>" on
 // stdout.
-
 #include "tools/bench/phase.h"
 
 #include <array>
 #include <chrono>
 #include <cstdio>
+#include <numeric>
 #include <thread>
 
 namespace rt::bench {
-
 namespace {
 
-class Watcher {
+class Profiler {
   public:
-    Watcher() : thread([this] { watch(); }) {}
-    ~Watcher() {
+    Profiler() : thread([this] { sample(); }) {}
+    ~Profiler() {
         stop = true;
         thread.join();
-        long total = 0;
-        for (const long count : counts) total += count;
-        const double whole = total > 0 ? double(total) : 1;
-        std::printf("shares %.5f %.5f %.5f %.5f %ld\n", double(counts[0]) / whole, double(counts[1]) / whole,
-                    double(counts[2]) / whole, double(counts[3]) / whole, total);
+        const long total = std::accumulate(counts.begin(), counts.end(), 0L);
+        std::printf("shares");
+        for (const long count : counts) std::printf(" %.5f", total > 0 ? double(count) / double(total) : 0.0);
+        std::printf(" %ld\n", total);
     }
 
   private:
-    /// What comes after the last ray is the writing of files: shading counts only once another ray has
-    /// followed.
-    void watch() {
+    /// After the last ray files are written: shading counts only when another ray has followed.
+    void sample() {
         long pending = 0;
         while (!stop) {
             std::this_thread::sleep_for(std::chrono::microseconds(50));
@@ -49,8 +46,7 @@ class Watcher {
     std::thread thread;
 };
 
-const Watcher watcher;
+const Profiler profiler;
 
 } // namespace
-
 } // namespace rt::bench
