@@ -1,6 +1,6 @@
 // ./learn watch on a terminal of its own: however it ends, the terminal is as it was, and files may come and go.
 #include "tests/tutor/folder.h"
-#include "tools/tutor/watch.h"
+#include "tools/tutor/commands.h"
 
 #include <doctest/doctest.h>
 
@@ -15,6 +15,7 @@
 #include <unistd.h>
 
 using namespace rt;
+using namespace rt::tutor;
 
 namespace {
 
