@@ -2,6 +2,7 @@
 #include "01_spheres/camera.h"
 #include "01_spheres/radiance.h"
 #include "01_spheres/scene.h"
+#include "01_spheres/program/counted.h"
 #include "01_spheres/program/options.h"
 #include "common/cli/program.h"
 
@@ -32,7 +33,7 @@ int main(int argc, char** argv) {
                                        {.from = {0.3f, 1.7f, 5.5f}, .at = {0.1f, 0.75f, 0}, .fov = 36});
 
     return run_program(options, argc, argv, [&](const RenderFunction& render) {
-        const Scene scene = three_spheres(radius, squares);
+        const Counted<Scene> scene{three_spheres(radius, squares)};
         const LookAt look_at = camera_options.look_at();
         const Camera camera = make_camera(look_at, options.settings().width, options.settings().height);
         render([&](PixelSample& sample) {

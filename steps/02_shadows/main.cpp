@@ -1,5 +1,6 @@
 // Step 02 asks: does the light get there?
 #include "01_spheres/camera.h"
+#include "01_spheres/program/counted.h"
 #include "01_spheres/program/options.h"
 #include "02_shadows/radiance.h"
 #include "02_shadows/scene.h"
@@ -34,7 +35,7 @@ int main(int argc, char** argv) {
     const CameraOptions camera_options(options, {.from = {0.2f, 2.4f, 6.2f}, .at = {0, 0.7f, 0}, .fov = 34});
 
     return run_program(options, argc, argv, [&](const RenderFunction& render) {
-        const Scene scene = two_lights(warm, cool);
+        const Counted<Scene> scene{two_lights(warm, cool)};
         const LookAt look_at = camera_options.look_at();
         const Camera camera = make_camera(look_at, options.settings().width, options.settings().height);
         render([&](PixelSample& sample) {

@@ -1,5 +1,6 @@
 // Step 03 asks: what does the mirror see?
 #include "01_spheres/camera.h"
+#include "01_spheres/program/counted.h"
 #include "01_spheres/program/options.h"
 #include "03_mirror/radiance.h"
 #include "03_mirror/scene.h"
@@ -42,7 +43,7 @@ int main(int argc, char** argv) {
                                        {.from = {1.72f, 1.5f, 3.7f}, .at = {-0.62f, 0.74f, 0}, .fov = 43});
 
     return run_program(options, argc, argv, [&](const RenderFunction& render) {
-        const Scene scene = facing_mirrors(reflectivity);
+        const Counted<Scene> scene{facing_mirrors(reflectivity)};
         const LookAt look_at = camera_options.look_at();
         const Camera camera = make_camera(look_at, options.settings().width, options.settings().height);
         render([&](PixelSample& sample) {

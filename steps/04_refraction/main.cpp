@@ -1,5 +1,6 @@
 // Step 04 asks: where does light go in glass?
 #include "01_spheres/camera.h"
+#include "01_spheres/program/counted.h"
 #include "01_spheres/program/options.h"
 #include "04_refraction/radiance.h"
 #include "04_refraction/scene.h"
@@ -45,7 +46,7 @@ int main(int argc, char** argv) {
                                        {.from = {0.3f, 1.55f, 5.6f}, .at = {0, 0.68f, 0}, .fov = 34});
 
     return run_program(options, argc, argv, [&](const RenderFunction& render) {
-        const Scene scene = glass_balls(ior, bubble, absorption);
+        const Counted<Scene> scene{glass_balls(ior, bubble, absorption)};
         const LookAt look_at = camera_options.look_at();
         const Camera camera = make_camera(look_at, options.settings().width, options.settings().height);
         render([&](PixelSample& sample) {

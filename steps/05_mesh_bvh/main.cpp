@@ -1,4 +1,5 @@
 // Step 05 asks: what if there are a hundred thousand things to hit?
+#include "01_spheres/program/counted.h"
 #include "01_spheres/program/options.h"
 #include "04_refraction/radiance.h"
 #include "05_mesh_bvh/scene.h"
@@ -7,6 +8,8 @@
 #include "common/cli/program.h"
 
 using namespace rt;
+
+const LookAt tea_table_view{.from = {0.35f, 1.5f, 4.2f}, .at = {0.12f, 0.48f, 0}, .fov = 32};
 
 /// A glazed teapot of 57,360 triangles, one of 552 that shows its facets, and a cat.
 LookAt tea_table(Scene& scene) {
@@ -31,7 +34,7 @@ LookAt tea_table(Scene& scene) {
     cat.materials = {{.name = "chalk", .diffuse = {0.8f, 0.76f, 0.7f}}};
     transform(cat, 0.85f, -50, {1.15f, 0, 0.05f});
     add_model(scene, cat, 40);
-    return {.from = {0.35f, 1.5f, 4.2f}, .at = {0.12f, 0.48f, 0}, .fov = 32};
+    return tea_table_view;
 }
 
 int main(int argc, char** argv) {
@@ -41,12 +44,11 @@ int main(int argc, char** argv) {
     const auto accel = accel_option(options, Accel::bvh);
     const int& depth = options.option("depth", 6, 0, 24, "mirrors and boundaries that a ray may meet");
     const auto view = view_option(options);
-    const CameraOptions camera_options(options,
-                                       {.from = {0.35f, 1.5f, 4.2f}, .at = {0.12f, 0.48f, 0}, .fov = 32});
+    const CameraOptions camera_options(options, tea_table_view);
 
     return run_program(options, argc, argv, [&](const RenderFunction& render) {
         const auto [width, height] = std::pair(options.settings().width, options.settings().height);
-        Scene scene;
+        Counted<Scene> scene;
         scene.accel = accel;
         scene.count_tests = view == DebugView::traversal_cost;
         const bool has_model = !model.mesh.empty();

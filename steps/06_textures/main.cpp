@@ -1,4 +1,5 @@
 // Step 06 asks: how does a picture get onto a surface?
+#include "01_spheres/program/counted.h"
 #include "01_spheres/program/options.h"
 #include "05_mesh_bvh/program/options.h"
 #include "04_refraction/radiance.h"
@@ -7,6 +8,8 @@
 #include "common/cli/program.h"
 
 using namespace rt;
+
+const LookAt meadow_view{.from = {0.25f, 1.35f, 5.0f}, .at = {0.25f, 0.6f, 0}, .fov = 33};
 
 /// A cow and a cat on a checkered lawn, a globe, and the test card on an easel.
 LookAt meadow(Scene& scene, int tiles) {
@@ -30,7 +33,7 @@ LookAt meadow(Scene& scene, int tiles) {
     ObjModel cat = read_obj(asset_path("cat.obj"));
     transform(cat, 0.62f, -60, {0.55f, 0, 0.85f});
     add_model(scene, cat, 40);
-    return {.from = {0.25f, 1.35f, 5.0f}, .at = {0.25f, 0.6f, 0}, .fov = 33};
+    return meadow_view;
 }
 
 int main(int argc, char** argv) {
@@ -41,12 +44,11 @@ int main(int argc, char** argv) {
     const auto accel = accel_option(options, Accel::wide);
     const int& depth = options.option("depth", 6, 0, 24, "mirrors and boundaries that a ray may meet");
     const auto view = view_option(options);
-    const CameraOptions camera_options(options,
-                                       {.from = {0.25f, 1.35f, 5.0f}, .at = {0.25f, 0.6f, 0}, .fov = 33});
+    const CameraOptions camera_options(options, meadow_view);
 
     return run_program(options, argc, argv, [&](const RenderFunction& render) {
         const auto [width, height] = std::pair(options.settings().width, options.settings().height);
-        Scene scene;
+        Counted<Scene> scene;
         scene.accel = accel;
         scene.count_tests = view == DebugView::traversal_cost;
         const bool has_model = !model.mesh.empty();

@@ -1,4 +1,5 @@
 // Step 07 asks: what is a pixel?
+#include "01_spheres/program/counted.h"
 #include "01_spheres/program/options.h"
 #include "05_mesh_bvh/program/options.h"
 #include "04_refraction/radiance.h"
@@ -22,6 +23,8 @@ Bitmap zone_plate(int size) {
     return bitmap;
 }
 
+const LookAt test_chart_view{.from = {0, 1.25f, 5.2f}, .at = {0, 0.95f, 0}, .fov = 32};
+
 /// Everything that shows jagged edges: a floor to the horizon, a picture of rings that grow finer and finer,
 /// a slanted edge, and a bright wire thinner than a pixel.
 LookAt test_chart(Scene& scene) {
@@ -43,7 +46,7 @@ LookAt test_chart(Scene& scene) {
     ObjModel cat = read_obj(asset_path("cat.obj"));
     transform(cat, 0.7f, -70, {1.45f, 0, 0.75f});
     add_model(scene, cat, 40);
-    return {.from = {0, 1.25f, 5.2f}, .at = {0, 0.95f, 0}, .fov = 32};
+    return test_chart_view;
 }
 
 int main(int argc, char** argv) {
@@ -55,11 +58,11 @@ int main(int argc, char** argv) {
     const auto accel = accel_option(options, Accel::wide);
     const int& depth = options.option("depth", 6, 0, 24, "mirrors and boundaries that a ray may meet");
     const auto view = view_option(options);
-    const CameraOptions camera_options(options, {.from = {0, 1.25f, 5.2f}, .at = {0, 0.95f, 0}, .fov = 32});
+    const CameraOptions camera_options(options, test_chart_view);
 
     return run_program(options, argc, argv, [&](const RenderFunction& render) {
         const auto [width, height] = std::pair(options.settings().width, options.settings().height);
-        Scene scene;
+        Counted<Scene> scene;
         scene.accel = accel;
         scene.count_tests = view == DebugView::traversal_cost;
         const bool has_model = !model.mesh.empty();

@@ -1,4 +1,5 @@
 // Step 08 asks: where does all the light come from?
+#include "01_spheres/program/counted.h"
 #include "01_spheres/program/options.h"
 #include "05_mesh_bvh/program/options.h"
 #include "07_antialias/program/options.h"
@@ -60,11 +61,11 @@ int main(int argc, char** argv) {
     const bool& no_roulette =
         options.flag("no-roulette", "every path runs its full length: same picture, slower");
     const auto view = view_option(options);
-    const CameraOptions camera_options(options, {.from = {0, 1, 4.6f}, .at = {0, 0.98f, 0}, .fov = 31});
+    const CameraOptions camera_options(options, room_view);
 
     return run_program(options, argc, argv, [&](const RenderFunction& render) {
         const auto [width, height] = std::pair(options.settings().width, options.settings().height);
-        Scene scene;
+        Counted<Scene> scene;
         scene.accel = accel;
         scene.count_tests = view == DebugView::traversal_cost;
         const LookAt look_at = camera_options.look_at_or(

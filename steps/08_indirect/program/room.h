@@ -8,6 +8,8 @@
 
 namespace rt {
 
+inline const LookAt room_view{.from = {0, 1, 4.6f}, .at = {0, 0.98f, 0}, .fov = 31};
+
 /// A box after the Cornell box, 2 m wide and open to the camera: red and green walls, a lamp in the ceiling,
 /// and in it a cow that looks at itself in a mirror ball, and a ball of glass.
 inline LookAt room(Scene& scene) {
@@ -28,7 +30,7 @@ inline LookAt room(Scene& scene) {
     ObjModel cow = read_obj(asset_path("cow.obj"));
     transform(cow, 0.85f, -40, {-0.38f, 0, -0.05f});
     add_model(scene, cow, 40);
-    return {.from = {0, 1, 4.6f}, .at = {0, 0.98f, 0}, .fov = 31};
+    return room_view;
 }
 
 } // namespace rt
