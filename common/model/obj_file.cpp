@@ -1,5 +1,4 @@
-// A Wavefront OBJ file as plain arrays: read in chunks, which are put together; then cut into triangles, each
-// with its material.
+// Reads a Wavefront OBJ file: parses chunks, joins them, triangulates the faces, and loads materials.
 #include "common/model/obj_file.h"
 
 #include "common/util/error.h"
@@ -18,7 +17,7 @@
 namespace rt {
 namespace {
 
-/// The materials of the file and its libraries, while its lines are read in order.
+/// The materials of the file's libraries, and the current one while the lines are read in order.
 class Materials {
   public:
     explicit Materials(const std::string& path) : libraries(path) {}
@@ -33,20 +32,21 @@ class Materials {
         }
     }
 
-    int current = -1; ///< -1 is the default
+    int current = -1; ///< -1: the default material
     MaterialLibraries libraries;
     std::vector<tinyobj::material_t> list;
 
   private:
     std::map<std::string, int> numbers;
-    std::set<std::string> names; ///< of the libraries so far
+    std::set<std::string> names; ///< names of the libraries read so far
 };
 
-/// Each chunk's faces into triangles. `file.triangle_materials` holds numbers in `materials.list` then.
+/// Triangulates the faces of all chunks. Afterwards `file.triangle_materials`
+/// holds indices into `materials.list`.
 void triangulate_faces(std::deque<ParsedChunk>& chunks, Materials& materials, Triangles& triangles) {
     int smoothing = -1;
     for (ParsedChunk& kept : chunks) {
-        const ParsedChunk chunk = std::move(kept); // and its memory is given back
+        const ParsedChunk chunk = std::move(kept); // its memory is freed at the end of this iteration
         auto material = chunk.material_lines.begin();
         auto group = chunk.smoothing_lines.begin();
         const ObjIndex* corner = chunk.corners.data();
@@ -62,15 +62,16 @@ void triangulate_faces(std::deque<ParsedChunk>& chunks, Materials& materials, Tr
     }
 }
 
-/// Converts the materials that are used, in the order of their files; the default, if it is used, comes last.
+/// Converts the materials that are used, in the order of their files; the default
+/// material, if used, comes last.
 void keep_used_materials(const std::string& path, const Materials& materials, ObjModel& file) {
-    const std::size_t count = materials.list.size(); // stands for the default, which is called -1 so far
+    const std::size_t count = materials.list.size(); // the index of the default material, which is -1 so far
     std::vector<int> number(count + 1, -1);
     for (int& material : file.triangle_materials) {
         if (material < 0) material = int(count);
         number[std::size_t(material)] = 0;
     }
-    ObjMaterial plain; // where the file names none: grey, or the colors of the vertices alone
+    ObjMaterial plain; // the default material: grey, or the vertex colours alone
     if (!file.colors.empty()) plain.diffuse = vec3(1);
     TextureLoader textures(path);
     for (std::size_t i = 0; i <= count; ++i) {
