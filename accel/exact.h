@@ -21,7 +21,7 @@ inline std::optional<ExactHit> exact_hit(const std::array<vec3, 3>& vertices, co
     const dvec3 p = cross(direction, edge_c), t_vec = dvec3(ray.origin) - a, q = cross(t_vec, edge_b);
     const double determinant = dot(edge_b, p), numerator = dot(edge_c, q);
     if (numerator * determinant <= 0)
-        return std::nullopt; // behind the ray, as the triangle that it starts from
+        return std::nullopt; // behind the origin, or the triangle that the ray starts on
     const double inverse_determinant = 1 / determinant;
     double t = numerator * inverse_determinant;
     if (!in_interval(ray, float(t))) return std::nullopt;

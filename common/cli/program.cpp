@@ -130,7 +130,7 @@ std::vector<std::string> picture_files(const std::string& out, const std::string
     if (ending(out) == ".png" || ending(out) == ".hdr") return {out};
     if (!ending(out).empty())
         throw Error("--out " + out + " ends in " + fs::path(out).extension().string() +
-                    ": name the image NAME.png, NAME.hdr, or NAME for both");
+                    ": a picture is NAME.png, NAME.hdr, or NAME alone for both");
     return {out + ".png", out + ".hdr"};
 }
 
@@ -152,7 +152,8 @@ Outputs checked_outputs(const Options& options) {
         throw Error("--variance needs --samples 2 or more: one sample per pixel has no variance");
     for (const std::string& path : outputs.pictures)
         if (same_file(path, outputs.variance))
-            throw Error("--variance " + outputs.variance + " is also the image's file: give it another name");
+            throw Error("--variance " + outputs.variance +
+                        " is also the picture's file: give it another name");
     check_writable(outputs.variance);
     return outputs;
 }
@@ -255,8 +256,8 @@ int write_outputs(const std::string& program, const Outputs& outputs, const Film
         } catch (const std::exception& problem) {
             place = saved_elsewhere(program, path, image);
             const std::string fate = place.empty()
-                                         ? "; the new image could not be saved elsewhere either and is lost"
-                                         : "; the new image was saved as " + place;
+                                         ? "; the new picture could not be saved elsewhere either and is lost"
+                                         : "; the new picture is " + place;
             code = report_error(program, explained(problem) + fate);
         }
         if (!place.empty()) wrote += "wrote " + printable(place) + "\n";

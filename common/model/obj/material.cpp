@@ -186,8 +186,8 @@ ObjMaterial convert_material(const tinyobj::material_t& source, const fs::path& 
     material.ior = clamped(source.ior, 1, 4, where, "Ni");
     material.glass = asks_for_refraction(source.illum) || (source.dissolve < 1 && material.ior > 1);
     if (source.dissolve < 1 && !material.glass)
-        textures.unfollowed.add(
-            mtl.string(), "d below 1 (or Tr above 0) without refraction is rendered opaque", material.name);
+        textures.unfollowed.add(mtl.string(), "d below 1 (or Tr above 0) without refraction is drawn opaque",
+                                material.name);
     if (!source.diffuse_texname.empty()) material.texture = textures.load(mtl, source.diffuse_texname);
     if (!material.glass)
         material.mask = source.alpha_texname.empty() ? textures.mask_of_texture(material.texture)

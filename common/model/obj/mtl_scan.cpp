@@ -105,7 +105,7 @@ void MtlScanner::tell() const {
         const std::string count = lines.count > 1 ? " (" + std::to_string(lines.count) + " such lines)" : "";
         if (lines.count > 0) warn(at_line(path, lines.first_line, what + count));
     };
-    say(homeless, in_quotes(homeless.first_word) + " is skipped, since it precedes the first newmtl");
+    say(homeless, in_quotes(homeless.first_word) + " is skipped, since no newmtl precedes it");
     say(unnamed, in_quotes(unnamed.first_word) + " names no file and is skipped");
     say(unknown, in_quotes(unknown.first_word) + " is not a known statement and is skipped");
     for (const auto& [option, lines] : options)

@@ -318,7 +318,7 @@ TEST_CASE("an .hdr that was exposed is read as the light before that") {
     CHECK(first("COLORCORR= 2 1 .5\n") == vec3(0.5f, 0.5f, 0.5f));
     for (const char* line :
          {"EXPOSURE=\n", "EXPOSURE=0\n", "EXPOSURE=-1\n", "EXPOSURE=nan\n", "COLORCORR=1 1\n"})
-        CHECK_ERROR(error_of([&] { first(line); }), "wrong line", std::string(line).substr(0, 8));
+        CHECK_ERROR(error_of([&] { first(line); }), "invalid line", std::string(line).substr(0, 8));
 }
 
 TEST_CASE("an .hdr as a texture is clamped and takes the sRGB curve") {
@@ -411,7 +411,7 @@ TEST_CASE("an .hdr that is damaged is an error with its path") {
     CHECK_ERROR(error_of_reading(folder, "b.hdr", hdr("-Y 1 +X 8", row + std::string(99, '\0'))), "b.hdr",
                 "damaged");
     CHECK_ERROR(error_of_reading(folder, "c.hdr", hdr("-Y 1 +X 9", row + std::string(99, '\1'))),
-                "another width");
+                "the wrong width");
     CHECK_ERROR(error_of_reading(folder, "d.hdr", hdr("+X 8 -Y 1", row)), "d.hdr", "-Y height +X width");
     CHECK_ERROR(error_of_reading(folder, "e.hdr", hdr("-Y 99999999999 +X 1", row)), "e.hdr", "size");
     CHECK_ERROR(error_of_reading(folder, "f.hdr", hdr("-Y 16000 +X 16000", row)), "f.hdr", "too large");

@@ -573,7 +573,7 @@ TEST_CASE("a texture is found beside the .mtl, beside the .obj, and by its bare 
     CHECK(file.materials[3].texture == 0);
     CHECK(file.materials[0].diffuse == vec3(1.0f)); // no Kd: the texture alone is the colour
     CHECK(file.materials[1].diffuse == vec3(0.5f));
-    CHECK_ERROR(said.text(), "m.mtl:5: the texture's option -s is not followed", "m.mtl:7:");
+    CHECK_ERROR(said.text(), "m.mtl:5: the texture option -s is not supported", "m.mtl:7:");
 }
 
 TEST_CASE("a missing or undecodable texture: a magenta checker, and a warning with the paths tried and the "
