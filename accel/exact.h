@@ -39,8 +39,8 @@ inline std::optional<ExactHit> exact_hit(const std::array<vec3, 3>& vertices, co
 }
 
 /// Returns the smallest t in the ray's interval with |O + tD - C|^2 = r^2, which is a t^2 - 2 h t + c = 0.
-/// The roots are q/a and c/q: neither subtracts two nearly equal numbers (Press et al., Numerical Recipes,
-/// 5.6).
+/// The roots are q/a and c/q: neither subtracts two nearly equal numbers (Press et al.,
+/// Numerical Recipes, section 5.6).
 inline std::optional<ExactHit> exact_hit(const Sphere& sphere, const RayLike auto& ray) {
     const dvec3 to_center = dvec3(sphere.center) - dvec3(ray.origin), direction(ray.direction);
     const double radius = sphere.radius;

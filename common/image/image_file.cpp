@@ -30,7 +30,7 @@ void check_ending(const std::string& path) {
     const std::string ending = lower_ending(path);
     if (ending != ".png" && ending != ".hdr")
         throw Error(path + ": the name should end in .png or .hdr" +
-                    (ending.empty() ? "" : " (" + ending + " is not written)"));
+                    (ending.empty() ? "" : " (" + ending + " is not supported)"));
 }
 
 std::uint8_t srgb_code(float linear) {
@@ -80,7 +80,7 @@ std::string size_error(int width, int height, std::int64_t pixels_left) {
     const std::int64_t pixels = std::int64_t(width) * height;
     if (width < 1 || height < 1) return "has no pixels (" + size + ")";
     if (width > max_dimension || height > max_dimension)
-        return "is too large (" + size + ", at most " + std::to_string(max_dimension) + " a side)";
+        return "is too large (" + size + ", at most " + std::to_string(max_dimension) + " per side)";
     if (pixels > max_pixels)
         return "is too large (" + size + ", at most " + millions(max_pixels) + " pixels)";
     if (pixels > pixels_left)

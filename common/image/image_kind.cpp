@@ -123,7 +123,8 @@ void check_tga(std::string_view bytes, int width, int height) {
     const auto bytes_of = [&](std::size_t at) { return (byte(bytes, at) + 7) / 8; }; // the file states bits
     const std::size_t pixel = bytes_of(16), first_colour = little_endian_16(bytes, 3);
     if (byte(bytes, 1) == 1 && first_colour > 0) // stb takes it for a number of bytes to skip
-        throw Error("numbers its colours from " + std::to_string(first_colour) + "; save it as PNG again");
+        throw Error("has a palette that starts at colour " + std::to_string(first_colour) +
+                    "; save it as PNG again");
     std::size_t at = 18 + byte(bytes, 0) + little_endian_16(bytes, 5) * bytes_of(7);
     std::size_t left = std::size_t(width) * std::size_t(height);
     if (byte(bytes, 2) < 8) { // not run-length encoded

@@ -110,10 +110,10 @@ void warn_of_skipped(const std::string& path, const SkippedLines& skipped) {
     };
     say(skipped.normals, "a normal that is not finite is left out");
     say(skipped.uvs, "a texture coordinate that is not finite is left out");
-    say(skipped.materials, "usemtl names no material; what follows has the default one");
+    say(skipped.materials, "usemtl names no material; the faces that follow get the default one");
     say(skipped.libraries, "mtllib names no file and is left out");
-    say(skipped.normal_corners, "a corner names a normal that does not exist and gets none");
-    say(skipped.uv_corners, "a corner names a texture coordinate that does not exist and gets none");
+    say(skipped.normal_corners, "a face vertex names a normal that does not exist and gets none");
+    say(skipped.uv_corners, "a face vertex names a texture coordinate that does not exist and gets none");
 }
 
 } // namespace
@@ -135,7 +135,7 @@ ObjModel read_obj(const std::string& path, const ObjReadOptions& reading) {
         warn(path + ": " + std::to_string(triangles.without_area()) + " triangles without area are left out");
     if (const std::size_t turned = triangles.turn_faces(); turned > 0)
         warn(path + ": " + std::to_string(turned) + " of " + std::to_string(summary.faces) +
-             " faces wind against their normals and are turned");
+             " faces wind against their normals and are flipped");
     keep_used_materials(path, materials, file);
     return file;
 }

@@ -37,7 +37,7 @@ struct ObjModel {
     std::vector<vec3> normals; ///< as given: not necessarily unit length, never zero
     std::vector<vec2> uvs;
     std::vector<vec3> colors; ///< one per position: linear RGB in [0, 1]; empty if the file gives none
-    std::vector<std::array<ObjIndex, 3>> triangles; ///< triangulated polygons; winding as in the file
+    std::vector<std::array<ObjIndex, 3>> triangles; ///< triangulated polygons, counter-clockwise
     std::vector<int> smoothing_groups;              ///< one per triangle: 0 flat, -1 not stated; may be empty
     std::vector<int> triangle_materials;            ///< one per triangle: index into `materials`
     std::vector<ObjMaterial> materials;             ///< at least one

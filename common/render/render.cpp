@@ -220,7 +220,7 @@ std::string size_error(const Crop& crop) {
     const double usable = double(usable_memory());
     if (usable == 0 || needed <= usable) return size_error(width, height);
     std::array<char, 128> text{};
-    std::snprintf(text.data(), text.size(), "(%d x %d) needs %.1f GB of memory, and %.1f GB may be used",
+    std::snprintf(text.data(), text.size(), "(%d x %d) needs %.1f GB of memory, and %.1f GB are available",
                   width, height, needed * 1e-9, usable * 1e-9);
     return text.data();
 }

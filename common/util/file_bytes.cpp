@@ -134,7 +134,7 @@ InputFile::InputFile(const std::string& path_, std::uintmax_t max_bytes) : path(
     if (left > max_bytes)
         throw Error(path + ": is too large (" + megabytes(left) + ", at most " + megabytes(max_bytes) + ")");
     stream.open(fs::path(path), std::ios::binary);
-    if (!stream) throw Error(path + ": cannot be opened; is reading it allowed?");
+    if (!stream) throw Error(path + ": cannot be opened; check its permissions");
 }
 
 void InputFile::read(char* bytes, std::size_t count) {
@@ -168,9 +168,9 @@ void write_file(const std::string& path, std::string_view bytes) {
     const std::error_code failure = temporary.write(bytes);
     if (failure)
         throw Error(path + ": cannot be written" + reason_of(failure) +
-                    "; an older file of that name is untouched");
+                    "; an existing file of that name is unchanged");
     if (const std::error_code refused = temporary.rename())
-        throw Error(path + ": cannot be put in place" + reason_of(refused));
+        throw Error(path + ": cannot be renamed to its final name" + reason_of(refused));
 }
 
 void discard_unfinished_file() noexcept {

@@ -57,7 +57,7 @@ std::string unquoted(std::string_view name) {
 }
 
 NamesOfLine names_of_line(std::string text) {
-    // A space after a backslash belongs to the name; scan_chunk() has made '/' of every '\'.
+    // An escaped blank belongs to the name; Parser::read_name() has replaced its '\' by '/'.
     const std::string escaped{'/', name_space};
     for (std::size_t at = 0; (at = text.find(escaped, at)) != std::string::npos;) text.replace(at, 2, " ");
     NamesOfLine names{unquoted(text), {""}};

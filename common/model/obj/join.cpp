@@ -37,7 +37,7 @@ void add_facts(const std::string& path, const ParsedChunk& chunk, const Before& 
         if (b.missing > positions)
             throw Error(at_line(path, before.lines + b.line,
                                 "a face names position " + b.number + ", but only " +
-                                    std::to_string(positions + b.count) + " stand before it"));
+                                    std::to_string(positions + b.count) + " precede it"));
     }
     if (chunk.fault) throw Error(at_line(path, before.lines + chunk.fault->line, chunk.fault->message));
     for (const auto& [name, line] : chunk.materials) summary.materials.emplace(name, before.lines + line);

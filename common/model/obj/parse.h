@@ -72,9 +72,8 @@ struct ParsedChunk {
     std::vector<dvec3> positions;
     std::vector<vec3> normals; ///< NaN where the file's normal is not finite
     std::vector<vec2> uvs;     ///< NaN likewise
-    std::vector<vec3>
-        /// sRGB as in the file, per position; `no_color` for none; may be short or empty.
-        colors;
+    /// sRGB as in the file, per position; `no_color` for none; may be short or empty.
+    std::vector<vec3> colors;
     std::vector<vec3> painted;             ///< sRGB of #MRGB lines, in [0, 1]
     std::vector<ObjIndex> corners;         ///< of all faces, in order
     std::vector<std::uint32_t> face_sizes; ///< number of vertices of each face

@@ -296,7 +296,7 @@ TEST_CASE("a TGA is read, with runs or without, and named if it is cut short") {
     CHECK_ERROR(error_of_reading(folder, "vast.tga", tga(10, 9000, 9000, 24, "\xff\1\2\3")), "cut short");
     std::string indexed = tga(1, 1, 1, 8, std::string(9, '\1'));
     indexed.replace(1, 7, std::string("\1\1\2\0\2\0\x18", 7)); // two colours of 24 bits, from number 2 on
-    CHECK_ERROR(error_of_reading(folder, "from.tga", indexed), "from.tga", "colours from 2");
+    CHECK_ERROR(error_of_reading(folder, "from.tga", indexed), "from.tga", "colour 2");
 }
 
 TEST_CASE("what is no picture is refused in the words of what is read") {
@@ -560,7 +560,7 @@ TEST_CASE("a full disk is an error; the old file survives and no half file stays
         message = error_of([&] { write_image(old, gradient(9, 9)); });
         message_of_new = error_of([&] { write_image(folder / "new.png", gradient(400, 400)); });
     }
-    CHECK_ERROR(message, "old.hdr", "File too large", "untouched");
+    CHECK_ERROR(message, "old.hdr", "File too large", "unchanged");
     CHECK_ERROR(message_of_new, "new.png", "File too large");
     CHECK(bytes_of(old) == "as it was");
     CHECK(folder.files() == 1);
