@@ -57,7 +57,7 @@ void write_image(const std::string& path, const Image& image);
 /// Returns the maximum number of bytes of memory that write_image allocates.
 std::size_t memory_to_write(int width, int height);
 
-/// Reads an image as linear RGB: .hdr values as stored, all others through the inverse of the
+/// Reads an image as linear RGB: .hdr values as radiance, all others through the inverse of the
 /// exact sRGB curve. Drops alpha. Throws Error with the path and the reason, also for a file that
 /// is damaged only in part.
 Image read_image(const std::string& path);
