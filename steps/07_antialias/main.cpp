@@ -10,8 +10,8 @@
 
 using namespace rt;
 
-/// Rings sin(r^2): their frequency grows evenly from the middle to the border, where a ring is nine texels
-/// wide.
+/// Returns a zone plate, rings sin(r^2): their frequency grows linearly from the centre to the border, where
+/// a ring is nine texels wide.
 Bitmap zone_plate(int size) {
     Bitmap bitmap{size, size, {}};
     for (int y = 0; y < size; ++y)
@@ -25,8 +25,8 @@ Bitmap zone_plate(int size) {
 
 const LookAt test_chart_view{.from = {0, 1.25f, 5.2f}, .at = {0, 0.95f, 0}, .fov = 32};
 
-/// Everything that shows jagged edges: a floor to the horizon, a picture of rings that grow finer and finer,
-/// a slanted edge, and a bright wire thinner than a pixel.
+/// Builds a scene of everything that shows aliasing: a floor to the horizon, rings that become finer and
+/// finer, a slanted edge, and a bright wire thinner than a pixel.
 LookAt test_chart(Scene& scene) {
     scene.sky = {.nadir = {0.5f, 0.46f, 0.42f}, .zenith = {0.28f, 0.4f, 0.66f}};
     scene.lights = {{{-3, 5, 5}, vec3(85, 80, 70)}};
@@ -56,7 +56,8 @@ int main(int argc, char** argv) {
     const FilterOptions filter(options);
     const LensOptions lens_options(options);
     const auto accel = accel_option(options, Accel::wide);
-    const int& depth = options.option("depth", 6, 0, 24, "mirrors and boundaries that a ray may meet");
+    const int& depth =
+        options.option("depth", 6, 0, 24, "maximum number of reflections and refractions along a ray");
     const auto view = view_option(options);
     const CameraOptions camera_options(options, test_chart_view);
 

@@ -1,4 +1,4 @@
-// The room of the reference: a box after the Cornell box, with a cow, a mirror ball and a glass ball.
+// The room of the reference image: a variant of the Cornell box.
 #pragma once
 
 #include "01_spheres/camera.h"
@@ -10,8 +10,8 @@ namespace rt {
 
 inline const LookAt room_view{.from = {0, 1, 4.6f}, .at = {0, 0.98f, 0}, .fov = 31};
 
-/// A box after the Cornell box, 2 m wide and open to the camera: red and green walls, a lamp in the ceiling,
-/// and in it a cow that looks at itself in a mirror ball, and a ball of glass.
+/// Builds a variant of the Cornell box, 2 m wide and open to the camera: red and green walls, a lamp in the
+/// ceiling, a cow that looks at itself in a mirror sphere, and a glass sphere.
 inline LookAt room(Scene& scene) {
     const int white = add(scene.materials, Diffuse{vec3(0.74f, 0.72f, 0.68f)});
     const int red = add(scene.materials, Diffuse{{0.63f, 0.065f, 0.05f}});
