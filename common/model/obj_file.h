@@ -60,4 +60,8 @@ struct ObjReadOptions {
 /// than 1e-15 or larger than 1e16.
 ObjModel read_obj(const std::string& path, const ObjReadOptions& reading = {});
 
+/// Transforms a model before it is added to a scene: scales it, rotates it about the y axis (degrees, from +z
+/// toward +x), translates it. Afterwards its coordinates are the scene's.
+void transform(ObjModel& file, float scale, float rotation_y, vec3 translation);
+
 } // namespace rt

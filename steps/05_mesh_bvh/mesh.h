@@ -4,13 +4,12 @@
 #include "01_spheres/hit.h"
 #include "03_mirror/mirror.h"
 #include "05_mesh_bvh/aabb.h"
-#include "05_mesh_bvh/vertex_normals.h"
 #include "05_mesh_bvh/triangle.h"
-#include "common/model/obj_file.h"
+#include "common/model/vertex_normals.h"
+#include "common/model/index_map.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -136,16 +135,6 @@ inline void append_model(Mesh& mesh, const ObjModel& file, const std::vector<int
         mesh.materials.push_back(material_ids[std::size_t(file.triangle_materials[i])]);
     }
     if (!mesh.colors.empty()) mesh.colors.resize(mesh.positions.size(), vec3(1));
-}
-
-/// Transforms a model before it is added to a scene: scales it, rotates it about the y axis (degrees, from +z
-/// toward +x), translates it. Afterwards its coordinates are the scene's.
-inline void transform(ObjModel& file, float scale, float rotation_y, vec3 translation) {
-    const float c = std::cos(glm::radians(rotation_y)), s = std::sin(glm::radians(rotation_y));
-    const auto rotated = [&](vec3 p) { return vec3(c * p.x + s * p.z, p.y, c * p.z - s * p.x); };
-    for (vec3& position : file.positions) position = scale * rotated(position) + translation;
-    for (vec3& normal : file.normals) normal = rotated(normal);
-    file.origin = dvec3(0);
 }
 
 } // namespace rt

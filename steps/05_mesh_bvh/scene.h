@@ -7,7 +7,7 @@
 #include "02_shadows/point_light.h"
 #include "03_mirror/mirror.h"
 #include "04_refraction/dielectric.h"
-#include "05_mesh_bvh/shapes.h"
+#include "05_mesh_bvh/build_bvhs.h"
 #include "common/util/add.h"
 
 #include <variant>

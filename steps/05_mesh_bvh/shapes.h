@@ -34,10 +34,6 @@ struct Shapes {
     accel::TriangleBvh wide_triangles; ///< those of the mesh, and then the two halves of each quad
 };
 
-/// Builds the trees that `accel` needs. Call it once, after all shapes have been added. It is defined in
-/// shapes.cpp, which is compiled once for all programs.
-void build_bvhs(Shapes& shapes);
-
 /// Calls test(i) for all shapes that the ray may hit, until one returns true.
 template <typename Test>
 void for_each_candidate(Accel accel, const Bvh& tree, std::size_t count, const Ray& ray, Test&& test) {

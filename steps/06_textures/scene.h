@@ -9,6 +9,7 @@
 #include "04_refraction/dielectric.h"
 #include "06_textures/cutout.h"
 #include "06_textures/texture.h"
+#include "05_mesh_bvh/build_bvhs.h"
 #include "common/util/add.h"
 
 #include <variant>

@@ -3,8 +3,8 @@
 
 #include "01_spheres/sphere.h"
 #include "03_mirror/quad.h"
-#include "05_mesh_bvh/vertex_normals.h"
 #include "08_indirect/hemisphere.h"
+#include "common/model/vertex_normals.h"
 
 #include <cmath>
 

@@ -28,7 +28,7 @@ std::string optimisation(const std::string& step) {
     return step < "05" || step.starts_with("06") ? "-O0" : "-O1";
 }
 
-const std::string part_level = "-O1"; // of programs for pictures, too
+const std::string program_level = "-O1"; // of programs that render
 
 /// For a program of checks, or one that renders.
 ProcessOptions limited(const fs::path& log) {
@@ -50,8 +50,7 @@ struct Dependencies {
     Hash hash;
 };
 
-/// Adds the file, what it includes, and the part of a step that stands beside it ("05_mesh_bvh/shapes.cpp"
-/// for shapes.h).
+/// Adds a file and everything that it includes.
 void add_file(const Toolchain& tools, const Change& change, const std::string& name, Dependencies& all) {
     if (name.empty() || !all.names.insert(name).second) return;
     const std::string text = text_of(tools, change, name), begin = "#include \"";
@@ -61,10 +60,6 @@ void add_file(const Toolchain& tools, const Change& change, const std::string& n
         if (line.starts_with(begin))
             add_file(tools, change, line.substr(begin.size(), line.find('"', begin.size()) - begin.size()),
                      all);
-    const std::string part = fs::path(name).replace_extension(".cpp").string();
-    std::error_code ignored;
-    if (name.ends_with(".h") && fs::exists(tools.root / "steps" / part, ignored))
-        add_file(tools, change, part, all);
 }
 
 std::string step_of(const std::string& source) {
@@ -120,31 +115,18 @@ std::string compile_object(const Toolchain& tools, const fs::path& overlay, cons
 }
 
 /// Compiles and links a source of checks (tests/...) or a program (steps/...) with the change, as
-/// `folder`/program. Objects of parts are kept, as few changes touch them. Returns the compiler's complaint,
-/// or "".
+/// `folder`/program. Returns the compiler's complaint, or "".
 std::string build_program(const Toolchain& tools, const Change& change, const std::string& source,
                           const fs::path& folder) {
     for (const auto& [name, text] : change.headers) {
         fs::create_directories((folder / name).parent_path());
         write_file((folder / name).string(), text);
     }
-    const fs::path part_prefix = prefix_of(tools, "common/pch.h", part_level), object = folder / "main.o";
+    const fs::path object = folder / "main.o";
     const bool is_check = source.starts_with("tests/");
     Words link{object.string()};
-    for (const std::string& part : dependencies(tools, change, source).names) {
-        if (part == source || !part.ends_with(".cpp")) continue;
-        const fs::path kept = tools.work / "cache" / (dependencies(tools, change, part).hash.text() + ".o");
-        link.push_back(kept.string());
-        if (fs::exists(kept)) continue;
-        const fs::path made = folder / "part.o";
-        if (const auto complaint =
-                compile_object(tools, folder, tools.root / "steps" / part, part_prefix, made);
-            !complaint.empty())
-            return complaint;
-        fs::rename(made, kept);
-    }
-    const fs::path prefix =
-        is_check ? prefix_of(tools, "tests/pch.h", optimisation(step_of(source))) : part_prefix;
+    const fs::path prefix = is_check ? prefix_of(tools, "tests/pch.h", optimisation(step_of(source)))
+                                     : prefix_of(tools, "common/pch.h", program_level);
     if (const auto complaint = compile_object(tools, folder, tools.root / source, prefix, object);
         !complaint.empty())
         return complaint;
@@ -243,7 +225,7 @@ std::string proof_key(const Toolchain& tools, const std::string& step) {
 void prepare(const Toolchain& tools, const std::string& step) {
     const BuildLock alone(tools.work);
     precompile(tools, "tests/pch.h", optimisation(step));
-    precompile(tools, "common/pch.h", part_level);
+    precompile(tools, "common/pch.h", program_level);
 }
 
 Outcome run_checks(const Toolchain& tools, const Change& change) {

@@ -93,7 +93,7 @@ std::string row(const fs::path& root, const Mistake& mistake) {
                  : std::string("*not seen in this scene*")) +
            " | **" + cell(sentence(mistake.title)) + "** " +
            (seen ? cell(sentence(mistake.shows)) + " " : "") + "*Why:* " + cell(sentence(mistake.why)) +
-           " *Mend it:* " + cell(mistake.fix) + " |\n";
+           " *Fix:* " + cell(mistake.fix) + " |\n";
 }
 
 std::string gallery(const fs::path& root, const std::string& what) {

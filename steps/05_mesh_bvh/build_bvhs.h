@@ -1,12 +1,12 @@
-// Builds the trees over the shapes. Compiled once for all programs, since few learners change it.
+// Builds the trees over the shapes.
+#pragma once
+
 #include "05_mesh_bvh/shapes.h"
 
 #include <array>
 #include <vector>
 
 namespace rt {
-
-namespace {
 
 /// The quads as two triangles each, so that the wide tree needs no quads.
 struct QuadTriangles {
@@ -25,7 +25,7 @@ struct QuadTriangles {
     }
 };
 
-void build_wide_trees(Shapes& shapes) {
+inline void build_wide_trees(Shapes& shapes) {
     std::vector<accel::Sphere> spheres;
     for (const Sphere& sphere : shapes.spheres) spheres.push_back({sphere.center, sphere.radius});
     shapes.wide_spheres = accel::build_sphere_bvh(spheres);
@@ -35,7 +35,7 @@ void build_wide_trees(Shapes& shapes) {
                    accel::TriangleMesh{quads.vertices, quads.triangles}});
 }
 
-void build_binary_trees(Shapes& shapes) {
+inline void build_binary_trees(Shapes& shapes) {
     std::vector<Aabb> boxes;
     for (const Sphere& sphere : shapes.spheres) boxes.push_back(bounds(sphere));
     shapes.sphere_bvh = build_bvh(boxes);
@@ -44,9 +44,8 @@ void build_binary_trees(Shapes& shapes) {
     shapes.triangle_bvh = build_bvh(boxes);
 }
 
-} // namespace
-
-void build_bvhs(Shapes& shapes) {
+/// Builds the trees that `accel` needs. Call it once, after all shapes have been added.
+inline void build_bvhs(Shapes& shapes) {
     if (shapes.accel == Accel::bvh) build_binary_trees(shapes);
     if (shapes.accel == Accel::wide) build_wide_trees(shapes);
 }

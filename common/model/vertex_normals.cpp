@@ -1,52 +1,16 @@
-// Vertex normals: averages the normals of the faces around a vertex; equal positions are found by hashing.
-#pragma once
+// Finds the faces around each vertex by hashing equal positions, and averages their normals.
+#include "common/model/vertex_normals.h"
 
-#include "common/model/obj_file.h"
+#include "common/model/index_map.h"
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
-#include <vector>
 
 namespace rt {
 
-/// Returns the outward normal, as long as twice the area. In double: squares of small numbers underflow in
-/// float.
-inline dvec3 area_normal(const std::array<vec3, 3>& vertices) {
-    const dvec3 a(vertices[0]);
-    return cross(dvec3(vertices[1]) - a, dvec3(vertices[2]) - a);
-}
-
-/// Assigns consecutive indices to distinct items: a chained hash table.
-struct IndexMap {
-    static constexpr std::uint32_t none = 0xffffffff;
-    std::vector<std::uint32_t> heads; ///< by hash: the last thing numbered that has it,
-    std::vector<std::uint32_t> next;  ///< by number: the one before it, and so on
-
-    explicit IndexMap(std::size_t size) : heads(std::bit_ceil(size), none) {}
-
-    /// `same(n)` returns whether item n equals this one. Equal items must have equal hashes.
-    template <typename Same>
-    std::uint32_t operator()(std::uint64_t hash, const Same& same) {
-        std::uint32_t& head = heads[hash & (heads.size() - 1)];
-        for (std::uint32_t n = head; n != none; n = next[n])
-            if (same(n)) return n;
-        next.push_back(head);
-        return head = std::uint32_t(next.size() - 1);
-    }
-};
-
-inline std::uint64_t hash_vec3(vec3 v) {
-    std::uint64_t h = 0;
-    for (int i = 0; i < 3; ++i) {
-        h = (h ^ std::bit_cast<std::uint32_t>(v[i] + 0.0f)) * 0x9e3779b97f4a7c15; // -0 + 0 is 0, as -0 == 0
-        h ^= h >> 32;
-    }
-    return h;
-}
+namespace {
 
 /// Vertex adjacency: the corners of triangles (3 t + k for corner k of triangle t) at each vertex.
 struct VertexCorners {
@@ -55,7 +19,7 @@ struct VertexCorners {
 };
 
 /// Vertices with equal positions count as one, since many files repeat them for every face.
-inline VertexCorners corners_by_vertex(const ObjModel& file) {
+VertexCorners corners_by_vertex(const ObjModel& file) {
     IndexMap position_map(file.positions.size());
     std::vector<vec3> points;
     std::vector<std::uint32_t> point; // one per position
@@ -79,7 +43,7 @@ inline VertexCorners corners_by_vertex(const ObjModel& file) {
 
 /// Splits the corners of each vertex by the smoothing groups of their triangles; in group 0 every corner is
 /// on its own.
-inline VertexCorners split_by_smoothing_group(VertexCorners corners, const std::vector<int>& groups) {
+VertexCorners split_by_smoothing_group(VertexCorners corners, const std::vector<int>& groups) {
     if (groups.empty()) return corners;
     const auto group = [&](std::uint32_t i) { return groups[corners.corner[i] / 3]; };
     std::vector<std::uint32_t> end;
@@ -96,7 +60,7 @@ inline VertexCorners split_by_smoothing_group(VertexCorners corners, const std::
 
 /// For each face around a vertex, given by its area normal: the sum of the normals, its own included, that
 /// differ from it by at most `crease_angle`, in radians.
-inline std::vector<dvec3> smoothed_normals_at_vertex(const std::vector<dvec3>& faces, float crease_angle) {
+std::vector<dvec3> smoothed_normals_at_vertex(const std::vector<dvec3>& faces, float crease_angle) {
     const dvec3 all = std::accumulate(faces.begin(), faces.end(), dvec3(0));
     const double min_dot_all = (std::cos(crease_angle / 2) + 1e-5) * length(all);
     const auto within_half_crease = [&](dvec3 face) { return dot(face, all) > min_dot_all * length(face); };
@@ -116,10 +80,9 @@ inline std::vector<dvec3> smoothed_normals_at_vertex(const std::vector<dvec3>& f
     return sums;
 }
 
-/// Returns a normal for each corner of each triangle of a model. Faces around a vertex are averaged, weighted
-/// by area, unless they differ by more than `crease_angle` degrees (a sphere is smooth, a cube keeps its
-/// edges), or unless the file puts them into different smoothing groups, or into none.
-inline std::vector<std::array<vec3, 3>> smooth_normals(const ObjModel& file, float crease_angle) {
+} // namespace
+
+std::vector<std::array<vec3, 3>> smooth_normals(const ObjModel& file, float crease_angle) {
     const auto face = [&](std::uint32_t t) {
         const auto& [a, b, c] = file.triangles[t];
         return area_normal({file.positions[std::size_t(a.position)], file.positions[std::size_t(b.position)],
