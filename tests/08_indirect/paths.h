@@ -1,5 +1,4 @@
-// What the checks of paths share: what comes back along a ray, and in which ways lamps are
-// looked for.
+// What the checks of paths share: the radiance along a ray, and the strategies of direct lighting.
 #pragma once
 
 #include "08_indirect/radiance.h"
@@ -11,7 +10,7 @@
 
 namespace rt {
 
-/// The red light that comes back along a ray.
+/// Estimates the radiance along a ray, red channel.
 inline Mean seen(Scene& scene, const PathSettings& settings, const Ray& ray, int samples = 20'000,
                  std::uint64_t seed = 3) {
     build_bvhs(scene);
