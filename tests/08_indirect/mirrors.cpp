@@ -118,7 +118,7 @@ TEST_CASE("a mirror on the wall doubles a lamp: its caustic is neither lost nor 
         const auto check = [&](const PathSettings& settings, double want) {
             const Mean mean = seen(scene, settings, ray, 40'000);
             INFO(words(settings) << ": " << mean.against(want) << "; " << straight << " directly, " << caustic
-                                 << "by the mirror");
+                                 << " by the mirror");
             CHECK(off(mean, want) < 4);
         };
         check({2, true, direct, false}, straight + caustic);

@@ -26,9 +26,9 @@ inline const std::array all_ways{DirectLighting::mis, DirectLighting::light_samp
 
 inline std::string words(const PathSettings& settings) {
     return "depth " + std::to_string(settings.depth) + (settings.indirect ? "" : ", no indirect light") +
-           (settings.direct == DirectLighting::mis              ? ", lights sampled and found"
-            : settings.direct == DirectLighting::light_sampling ? ", lights sampled"
-                                                                : ", lights found by chance") +
+           (settings.direct == DirectLighting::mis              ? ", MIS"
+            : settings.direct == DirectLighting::light_sampling ? ", light sampling"
+                                                                : ", BSDF sampling") +
            (settings.hemisphere_sampling == HemisphereSampling::cosine ? "" : ", uniform bounces") +
            (settings.roulette ? ", roulette" : ", no roulette");
 }
