@@ -69,7 +69,6 @@ TEST_CASE("an impossible camera pose is rejected") {
     } catch (const Error& error) {
         message = error.what();
     }
-    CHECK_MESSAGE(message.find("if --from equals --at, the message must not blame --up: ") ==
-                      std::string::npos,
-                  "up is not to blame where --from is --at: ", message);
+    CHECK_MESSAGE(message.find("--up") == std::string::npos,
+                  "if --from equals --at, the message must not blame --up: ", message);
 }

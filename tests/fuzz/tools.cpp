@@ -1,4 +1,5 @@
-// The parsers of the project's own files: the catalogue of mistakes, and what the tutor and the weaver read.
+// Fuzz targets for the project's own files: the catalogue of mistakes, and the inputs
+// of the tutor and the weaver.
 #include "tests/fuzz/fuzz.h"
 #include "tools/tutor/catalogue.h"
 #include "tools/tutor/compile.h"
@@ -33,12 +34,12 @@ void check_exercises(const std::string& text) {
     without_markers(text);
     for (const Exercise& exercise : exercises) {
         const int place = place_of(exercise, stub);
-        require(place >= 1, "lines count from 1");
+        require(place >= 1, "lines are counted from 1");
         is_untouched(exercise, text, stub);
     }
 }
 
-/// The first `count` lines against the others.
+/// Compares the first `count` lines with the others.
 void check_diff(const std::string& text, std::size_t count) {
     std::vector<std::string> first = lines_of(text), second, left, right;
     count = std::min(count, first.size());
@@ -49,23 +50,23 @@ void check_diff(const std::string& text, std::size_t count) {
         if (line.kind != '+') left.push_back(line.text);
         if (line.kind != '-') right.push_back(line.text);
     }
-    require(left == first && right == second, "a difference holds both texts");
+    require(left == first && right == second, "a difference contains both texts");
     require(unified(diff, "a", "b", false).empty() == (first == second), "only a difference is shown");
 }
 
 void check_page(const std::string& page) {
     const std::vector<std::string> lines = lines_of(page);
     for (const weave::Block& block : weave::find_blocks(lines, "docs/x.md"))
-        require(block.begin <= block.end && block.end <= lines.size(), "a block stands in its page");
+        require(block.begin <= block.end && block.end <= lines.size(), "a block is inside its page");
     const auto as_it_is = [](const weave::Block&, const std::string& now) { return now; };
     const std::string once = weave::weave_page(page, "docs/x.md", as_it_is);
-    require(weave::weave_page(once, "docs/x.md", as_it_is) == once, "a page that is woven stays as it is");
+    require(weave::weave_page(once, "docs/x.md", as_it_is) == once, "weaving a page twice changes nothing");
     weave::fence(page);
 }
 
 } // namespace
 
-/// The catalogue's text and, after a line %%, the header to which its changes are made.
+/// The input is the catalogue's text and, after a line %%, the header to which its changes are applied.
 void run_catalogue(std::string_view bytes) {
     const std::size_t mark = std::min(bytes.find("\n%%\n"), bytes.size());
     const std::string text(bytes.substr(0, mark));
@@ -75,7 +76,7 @@ void run_catalogue(std::string_view bytes) {
     for (const Mistake& mistake : mistakes) refusal([&] { with_mistake(mistake, header); });
 }
 
-/// The first letter names the parser, and the lines after the first are what it reads.
+/// The first letter selects the parser; the lines after the first are its input.
 void run_tutor(std::string_view bytes) {
     const auto [first, text] = first_line(bytes);
     refusal([&, &what = first, &read = text] {
@@ -84,17 +85,17 @@ void run_tutor(std::string_view bytes) {
         case 'h': return void(parse_hints(read, "exercises/03_mirror/hints.md"));
         case 's': return void(parse_signatures(read, "exercises/03_mirror/signatures.txt"));
         case 'e': return check_exercises(read);
-        case 'd': return check_diff(read, what.size() - 1); // a further letter for each line
+        case 'd': return check_diff(read, what.size() - 1); // one further letter per line
         case 'c': return void(first_error(read, "workshop/"));
         case 'n': return require(rounded(read).size() <= 100, "values are short");
         }
     });
 }
 
-/// As run_tutor(); for a region its name follows the letter.
+/// Like run_tutor(); for a region, its name follows the letter.
 void run_weave(std::string_view bytes) {
     static const bool has_pages = std::filesystem::create_directories(folder() + "/docs");
-    require(has_pages, "a new folder is empty");
+    require(has_pages, "the new folder is empty");
     const auto [first, text] = first_line(bytes);
     refusal([&, &what = first, &read = text] {
         switch (what.empty() ? ' ' : what[0]) {

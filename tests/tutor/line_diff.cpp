@@ -1,4 +1,4 @@
-// Facts about differences between texts, and what ./learn diff says.
+// Facts about differences between texts, and about the output of ./learn diff.
 #include "tools/tutor/line_diff.h"
 
 #include "common/util/error.h"
@@ -18,7 +18,7 @@ std::string shown_diff(const Lines& a, const Lines& b, bool colour = false) {
     return unified(line_diff(a, b), "a", "b", colour);
 }
 
-/// One side of a diff.
+/// Returns one side of a diff.
 Lines side(const std::vector<DiffLine>& diff, char kind) {
     Lines lines;
     for (const DiffLine& line : diff)
@@ -49,7 +49,7 @@ TEST_CASE("equal texts have no difference") {
     CHECK(shown_diff({}, {}).empty());
 }
 
-TEST_CASE("a changed line is shown with three lines around it, as diff -u does") {
+TEST_CASE("a changed line is shown with three lines of context as diff -u does") {
     const Lines a{"1", "2", "3", "4", "5", "6", "7", "8", "9"};
     Lines b = a;
     b[4] = "five";
@@ -58,7 +58,7 @@ TEST_CASE("a changed line is shown with three lines around it, as diff -u does")
     CHECK(shown_diff({"x"}, {}) == "--- a\n+++ b\n@@ -1 +0,0 @@\n-x\n");
 }
 
-TEST_CASE("changes far from each other stand in hunks of their own") {
+TEST_CASE("changes far from each other are in separate hunks") {
     Lines a;
     for (int i = 0; i < 30; ++i) a.push_back(std::to_string(i));
     Lines b = a;
@@ -68,7 +68,7 @@ TEST_CASE("changes far from each other stand in hunks of their own") {
     CHECK(text.find("@@ -23,7 +23,7 @@") != std::string::npos);
 }
 
-TEST_CASE("a difference holds both texts, and changes no more than it must") {
+TEST_CASE("a difference contains both texts and as few changes as possible") {
     Random random(1);
     for (int i = 0; i < 500; ++i) {
         const Lines a = random_lines(random), b = random_lines(random);
@@ -81,20 +81,20 @@ TEST_CASE("a difference holds both texts, and changes no more than it must") {
     CHECK(changes(line_diff({"a", "b", "c", "d"}, {"b", "x", "d"})) == 3);
 }
 
-TEST_CASE("texts of many thousand lines are compared in no time") {
+TEST_CASE("texts of many thousand lines are compared quickly") {
     Lines a(20000, "a"), b(20000, "b");
     const auto diff = line_diff(a, b);
     CHECK(changes(diff) == 40000);
 }
 
-TEST_CASE("colour is used only where it is wanted") {
+TEST_CASE("colour is used only if it is requested") {
     CHECK(shown_diff({"x"}, {"y"}).find('\x1b') == std::string::npos);
     const std::string coloured = shown_diff({"x"}, {"y"}, true);
     CHECK(coloured.find("\x1b[31m-x\x1b[0m\n") != std::string::npos);
     CHECK(coloured.find("\x1b[32m+y\x1b[0m\n") != std::string::npos);
 }
 
-TEST_CASE("the reference's answer is as the reference, with its markers or without, and on Windows") {
+TEST_CASE("the reference's answer equals the reference with or without markers and with Windows line ends") {
     const SmallProject small;
     put(small.own("01_one/shape.h"), SmallProject::shape);
     CHECK(diff_of(small, "shape.h").ends_with("shape.h: as the reference\n"));
@@ -106,7 +106,7 @@ TEST_CASE("the reference's answer is as the reference, with its markers or witho
     CHECK(diff_of(small, "").ends_with("shape.h: as the reference\n"));
 }
 
-TEST_CASE("a stub differs from the reference by its gaps") {
+TEST_CASE("a stub differs from the reference only at its exercises") {
     const SmallProject small;
     said_by([&](std::ostream& out) { start_step(small.project, "01_one", out); });
     const std::string text = diff_of(small, "shape.h");
@@ -115,9 +115,9 @@ TEST_CASE("a stub differs from the reference by its gaps") {
     CHECK(text.find("//>") == std::string::npos);
 }
 
-TEST_CASE("a file that the reference does not have is the learner's alone") {
+TEST_CASE("a file that the reference does not have is reported as the learner's own") {
     const SmallProject small;
     put(small.own("01_one/own.h"), "// mine\n");
     CHECK(diff_of(small, "own.h").ends_with("yours alone, the reference has no such file\n"));
-    CHECK_THROWS_AS(diff_of(small, "shape.h"), Error); // not begun
+    CHECK_THROWS_AS(diff_of(small, "shape.h"), Error); // not started
 }

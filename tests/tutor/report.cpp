@@ -1,4 +1,4 @@
-// Facts about the report: one page with all in it, in which nothing from outside is more than text.
+// Facts about the report: a single self-contained page in which foreign text is never markup.
 #include "tools/tutor/report.h"
 
 #include "common/util/file_bytes.h"
@@ -22,7 +22,7 @@ namespace {
 const std::string root = RT_ROOT;
 const std::string references = root + "/assets/reference/";
 
-/// A reference as a learner with a mistake would make it: one corner is turned upside down and too bright.
+/// Writes a reference with a mistake: one quarter is upside down and too bright.
 std::string wrong_picture(const Folder& folder, const std::string& name) {
     const Image right = read_image(references + name + ".png");
     Image wrong = right;
@@ -33,7 +33,7 @@ std::string wrong_picture(const Folder& folder, const std::string& name) {
     return folder / "mine.png";
 }
 
-/// How far two pictures are apart, pixel by pixel.
+/// Writes the difference of two pictures, pixel by pixel.
 std::string difference_picture(const Folder& folder, const std::string& a, const std::string& b) {
     Image map = read_image(a);
     const Image other = read_image(b);
@@ -81,7 +81,7 @@ void add_mistake(Report& report) {
     report.mistake_fix = "write `direction - 2 * dot(direction, normal) * normal`.";
 }
 
-/// A check of step 03 with a mistake that is known.
+/// Builds the report of a check of step 03 with a known mistake.
 Report some_report(const Folder& folder) {
     Report report;
     report.root = root;
@@ -104,7 +104,7 @@ Report some_report(const Folder& folder) {
     return report;
 }
 
-/// The same, all well, of a noisy step.
+/// Builds the report of a successful check of a noisy step.
 Report good_report() {
     Report report;
     report.root = root;
@@ -137,7 +137,7 @@ Report unbuilt_report() {
     return report;
 }
 
-/// Markup, quotes, a second place for data, and a word that is wider than a phone.
+/// Returns markup, quotes, a second data placeholder, and a word that is wider than a phone's screen.
 std::string evil_text() {
     std::string text =
         "</script><script>window.harm = 1</script><!-- <img src=x onerror=\"window.harm = 1\"> "
@@ -146,7 +146,7 @@ std::string evil_text() {
     return text;
 }
 
-/// Everywhere the same text, which would do harm as markup.
+/// Builds a report with the same text everywhere, which would be harmful as markup.
 Report evil_report(const Folder& folder) {
     const std::string evil = evil_text();
     Report report = some_report(folder);
@@ -160,7 +160,7 @@ Report evil_report(const Folder& folder) {
     return report;
 }
 
-/// The page without its pictures, in whose base64 anything may stand.
+/// Returns the page without its pictures, whose base64 may contain anything.
 std::string without_pictures(std::string page) {
     const std::string opening = "data:image/png;base64,";
     for (std::size_t at = 0; (at = page.find(opening, at)) != std::string::npos;) {
@@ -176,7 +176,7 @@ int count(const std::string& text, const std::string& part) {
     return n;
 }
 
-/// Cuts what stands between `from` and `to`, every time; the two stay.
+/// Removes the text between `from` and `to`, every time, and keeps the two.
 std::string cut(std::string text, const std::string& from, const std::string& to) {
     for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos;) {
         at += from.size();
@@ -187,7 +187,7 @@ std::string cut(std::string text, const std::string& from, const std::string& to
     return text;
 }
 
-/// The first tag that closes what is not open, or stays open; empty if all are in pairs.
+/// Returns the first tag that closes nothing or stays open; empty if all are balanced.
 std::string unbalanced_tag(std::string page) {
     page = cut(cut(cut(page, "<!--", "-->"), "<style>", "</style>"), "<script>", "</script>");
     page = cut(page, "<script type=\"application/json\" id=\"data\">", "</script>");
@@ -209,7 +209,7 @@ std::string unbalanced_tag(std::string page) {
 
 } // namespace
 
-TEST_CASE("base64 is what the standard's examples say") {
+TEST_CASE("base64 encodes the examples of the standard") {
     const std::pair<const char*, const char*> examples[] = {{"", ""},
                                                             {"f", "Zg=="},
                                                             {"fo", "Zm8="},
@@ -221,7 +221,7 @@ TEST_CASE("base64 is what the standard's examples say") {
     CHECK(base64("\xFB\xFF\xFE") == "+//+");
 }
 
-TEST_CASE("an embedded text is JSON in which nothing ends a script") {
+TEST_CASE("an embedded text is JSON in which nothing can end a script") {
     CHECK(embedded_text("plain \xC3\xA4 \xE2\x82\xAC \xF0\x9F\x98\x80") ==
           "\"plain \xC3\xA4 \xE2\x82\xAC \xF0\x9F\x98\x80\"");
     CHECK(embedded_text("\"\\\n\t") == "\"\\u0022\\u005c\\u000a\\u0009\"");
@@ -229,23 +229,24 @@ TEST_CASE("an embedded text is JSON in which nothing ends a script") {
     CHECK(embedded_text(std::string_view("\0", 1)) == "\"\\u0000\"");
 }
 
-TEST_CASE("bytes that are no UTF-8 become the character that stands for them") {
+TEST_CASE("bytes that are not UTF-8 become the replacement character") {
     const std::string unknown = "\xEF\xBF\xBD";
     CHECK(embedded_text("a\xFFz") == "\"a" + unknown + "z\"");
-    CHECK(embedded_text("\xC3") == "\"" + unknown + "\"");               // cut off
+    CHECK(embedded_text("\xC3") == "\"" + unknown + "\"");               // truncated
     CHECK(embedded_text("\xC0\xAF") == "\"" + unknown + unknown + "\""); // two bytes for a slash
-    CHECK(embedded_text("\xED\xA0\x80") == "\"" + unknown + unknown + unknown + "\""); // half of a pair
+    CHECK(embedded_text("\xED\xA0\x80") ==
+          "\"" + unknown + unknown + unknown + "\""); // half of a surrogate pair
     CHECK(embedded_text("\xE2\x82z") == "\"" + unknown + unknown + "z\"");
 }
 
-TEST_CASE("a picture is embedded as the file stands on disk, and its size is read from it") {
+TEST_CASE("a picture is embedded with the bytes of its file and its size is read from it") {
     const EmbeddedPicture picture = embedded_picture(references + "08_indirect.png");
     CHECK(picture.width == 480);
     CHECK(picture.height == 480);
     CHECK(picture.url == "data:image/png;base64," + base64(bytes_of(references + "08_indirect.png")));
 }
 
-TEST_CASE("the report holds its three pictures and the mistake's") {
+TEST_CASE("the report contains its three pictures and that of the mistake") {
     const Folder folder;
     const Report report = some_report(folder);
     const std::string page = report_html(report);
@@ -256,7 +257,7 @@ TEST_CASE("the report holds its three pictures and the mistake's") {
     CHECK(count(page, "data:image/png;base64,") == 4);
 }
 
-TEST_CASE("the report asks nothing of a network") {
+TEST_CASE("the report requests nothing from a network") {
     const Folder folder;
     const std::string page = without_pictures(report_html(some_report(folder)));
     for (const char* part : {"http:", "https:", "//", "@import", "url(", "<link", "<iframe", "src=\"",
@@ -265,15 +266,15 @@ TEST_CASE("the report asks nothing of a network") {
     CHECK(contains(page, "default-src 'none'"));
 }
 
-TEST_CASE("the report's tags are in pairs") {
+TEST_CASE("the report's tags are balanced") {
     const Folder folder;
     CHECK(unbalanced_tag(report_html(some_report(folder))) == "");
     CHECK(unbalanced_tag(report_html(evil_report(folder))) == "");
-    CHECK(unbalanced_tag("<p><b></p></b>") == "/p"); // and this is how it shows
+    CHECK(unbalanced_tag("<p><b></p></b>") == "/p"); // checks the function itself
     CHECK(unbalanced_tag("<p><br>") == "p");
 }
 
-TEST_CASE("no text from outside is markup in the report") {
+TEST_CASE("foreign text is never markup in the report") {
     const Folder folder;
     const std::string page = report_html(evil_report(folder)), tame = report_html(some_report(folder));
     CHECK(!contains(page, "<img src=x"));
@@ -315,7 +316,7 @@ TEST_CASE("every field of the report is in its data") {
         CHECK_MESSAGE(contains(page, part), ("there is no " + std::string(part)));
 }
 
-TEST_CASE("a report without pictures or mistake is a page too") {
+TEST_CASE("a report without pictures or a mistake is a valid page too") {
     const std::string page = report_html(unbuilt_report());
     CHECK(count(page, "data:image/png") == 0);
     CHECK(contains(page, "\"pictures\": {}"));
@@ -324,7 +325,7 @@ TEST_CASE("a report without pictures or mistake is a page too") {
     CHECK(unbalanced_tag(page) == "");
 }
 
-TEST_CASE("a mistake whose picture is not there yet is reported without it") {
+TEST_CASE("a mistake whose picture does not exist yet is reported without it") {
     const Folder folder;
     Report report = some_report(folder);
     report.mistake_picture = folder / "not_yet.png";
