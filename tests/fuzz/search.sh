@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
-# The part of ./learn that searches for inputs that break a parser, with clang's libFuzzer; learn reads this file.
+# ./learn fuzz: searches for inputs that break a parser, with clang's libFuzzer. Sourced by ./learn.
 # shellcheck disable=SC2154 # root, build and preset are learn's
 
 fuzz_usage() {
     cat <<END
 ./learn fuzz [target] [--minutes N | --seconds N] [--seed N]
 
-Feeds our parsers with inputs that clang's libFuzzer makes up, under AddressSanitizer and UndefinedBehaviorSanitizer:
-first the findings of the past and the seeds (tests/fuzz/findings, tests/fuzz/corpus), then new ones, a minute for each
-target unless you say otherwise, two targets at a time. A target ends at its first finding, which stays in
-build/fuzz/found/TARGET. Exit code: 0 nothing was found, 1 something was, 2 the command is wrong.
+Feeds our parsers with inputs from clang's libFuzzer, under AddressSanitizer and UndefinedBehaviorSanitizer: first past
+findings and seeds (tests/fuzz/findings, tests/fuzz/corpus), then new inputs, one minute per target by default, two
+targets in parallel. A target stops at its first finding, which is kept in build/fuzz/found/TARGET. Exit code: 0 nothing
+was found, 1 something was found, 2 the command is wrong.
 
 targets: $(fuzz_targets)
 END
@@ -30,7 +30,7 @@ read_fuzz_words() {
                 ;;
             --minutes | --seconds | --seed)
                 case ${2-} in
-                    "" | *[!0-9]* | ??????* | 0*) fail 2 "fuzz: $1 wants a whole number from 1 on, not '${2-}'" ;;
+                    "" | *[!0-9]* | ??????* | 0*) fail 2 "fuzz: $1 wants a whole number of at least 1, not '${2-}'" ;;
                 esac
                 case $1 in
                     --minutes) seconds=$((60 * $2)) ;;
@@ -39,7 +39,7 @@ read_fuzz_words() {
                 esac
                 shift
                 ;;
-            -*) fail 2 "fuzz does not know '$1'; ./learn fuzz --help says what there is" ;;
+            -*) fail 2 "fuzz does not know '$1'; see ./learn fuzz --help" ;;
             *)
                 [ -z "$chosen" ] || fail 2 "fuzz takes one target, or none for all of them"
                 [[ " $(fuzz_targets) " = *" $1 "* ]] || fail 2 "there is no target '$1'; the targets are $(fuzz_targets)"
@@ -59,7 +59,7 @@ fuzz_row() { # target, executions, CPU seconds, findings
     printf '%-12s %11s %8s  %s\n' "$1" "$2" "$3" "$4"
 }
 
-# Replays what is known, then searches. Prints a row of the table; returns 1 if there is a finding. $1: the target
+# Replays known inputs, then searches. Prints a row of the table; returns 1 if there is a finding. $1: the target
 fuzz_one() {
     local past=() log=$build/$1.log corpus=$build/corpus/$1 found=$build/found/$1 file bad=0 note=0
     mkdir -p "$corpus" "$found"

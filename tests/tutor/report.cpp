@@ -53,31 +53,33 @@ std::vector<ReportCheck> some_checks() {
     add("a reflected direction leaves at the angle at which it came", "failed",
         {"tests/03_mirror.cpp:41  CHECK( dot(out, normal) == approx(-dot(in, normal)) )",
          "expected 0.6 within 1e-05, got -0.6",
-         "a cosine of the other sign: the direction still goes into the surface"});
+         "a cosine of the opposite sign: the direction still points into the surface"});
     add("a reflected direction keeps its length", "ok");
-    add("a mirror keeps the part of a direction that lies along it", "ok");
-    add("to reflect twice is to do nothing", "failed", {"expected (1, 2, 3) within 1e-05, got (1, 26, 3)"});
-    add("it does not matter to which side the normal points", "ok");
-    add("a corner of three mirrors sends a ray back where it came from", "failed",
+    add("a mirror keeps the tangential part of a direction", "ok");
+    add("reflecting twice restores the direction", "failed",
+        {"expected (1, 2, 3) within 1e-05, got (1, 26, 3)"});
+    add("a reflection does not depend on the sign of the normal", "ok");
+    add("a corner of three mirrors sends a ray back to where it came from", "failed",
         {"expected (-0.36, -0.48, -0.8) within 1e-05, got (0.36, 0.48, 0.8)"});
-    add("a path of three hops shows the ball that stands on its third segment", "unfinished",
-        {"stopped after 10 s: a path of mirrors has no end"});
-    add("white things vanish in an even sky, whatever share of them is a mirror", "skipped",
+    add("a path of three segments shows the ball at the end of its third segment", "unfinished",
+        {"stopped after 10 s: a path over mirrors never ends"});
+    add("white objects are invisible under a uniform sky whatever share of them is a mirror", "skipped",
         {"[skipped] needs the picture of step 02"});
-    for (const char* name : {"a quad is met between its edges and missed beyond them",
-                             "a quad is met on both sides of its diagonal", "a ray along a quad misses it",
-                             "u and v of a quad run along its edges from the corner"})
+    for (const char* name :
+         {"a quad is hit between its edges and missed beyond them",
+          "a quad is hit on both sides of its diagonal", "a ray parallel to a quad misses it",
+          "u and v of a quad run along its edges from the corner"})
         add(name, "ok");
     return checks;
 }
 
 void add_mistake(Report& report) {
-    report.mistake_title = "the part along the normal is added in place of taken away";
-    report.mistake_confidence = "very likely: the same checks are red, with the same numbers";
-    report.mistake_shows = "reflections hang upside down under every ball.";
+    report.mistake_title = "the part along the normal is added instead of subtracted";
+    report.mistake_confidence = "very likely: the same checks fail with the same numbers";
+    report.mistake_shows = "reflections are upside down under every ball.";
     report.mistake_why =
-        "d.n is negative for a ray that meets the surface, so `- 2 (d.n) n` points outward. With "
-        "a plus the ray goes three times as steeply into the surface.";
+        "d.n is negative for a ray that hits the surface, so `- 2 (d.n) n` points outward. With "
+        "a plus the ray enters the surface three times as steeply.";
     report.mistake_fix = "write `direction - 2 * dot(direction, normal) * normal`.";
 }
 
@@ -294,7 +296,7 @@ const char* const report_fields[] = {"\"step\": \"03_mirror\"",
                                      "\"tiles_over_4\": 17",
                                      "\"title\": \"the part along",
                                      "\"confidence\": \"very likely",
-                                     "\"shows\": \"reflections hang",
+                                     "\"shows\": \"reflections are",
                                      "\"why\": \"d.n is",
                                      "\"fix\": \"write",
                                      "\"next\": \"./learn hint 03 reflect\"",
