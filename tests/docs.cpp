@@ -116,7 +116,7 @@ TEST_CASE("A marker without an end, a stray end and an unknown kind are errors w
     CHECK(complaint_in({"<!-- diff: a b -->", "<!-- end -->", "<!-- a word -->"}) == "");
 }
 
-TEST_CASE("Truncated or damaged sources and pages cause an Error or nothing but never another exception") {
+TEST_CASE("Truncated or damaged sources and pages cause an Error or nothing, but never another exception") {
     for (const char* text : {"alignas(", "requires(", "struct alignas(", "template<int>", "template",
                              "template <int>   ", "(", "};", "'"})
         CHECK_MESSAGE(complaint([&] { region(text, "x", "steps/x.h"); }) == "steps/x.h: declares no x",

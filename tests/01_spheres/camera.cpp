@@ -88,7 +88,7 @@ TEST_CASE("every ray of the camera has unit length and starts at the camera") {
     }
 }
 
-TEST_CASE("an oblique camera looks at its target and `up` points to the upper half of the picture") {
+TEST_CASE("an oblique camera looks at its target, and `up` points to the upper half of the picture") {
     const LookAt look_at{{4, 3, 2}, {1, 1, -1}, {0.4f, 1, 0.1f}, 50};
     const Camera camera = make_camera(look_at, 60, 40);
     const vec3 forward = normalize(look_at.at - look_at.from);
@@ -118,7 +118,7 @@ TEST_CASE("neither the distance to the target nor the length of `up` changes the
         CHECK(camera_ray(one, pixel).direction == approx(camera_ray(other, pixel).direction));
 }
 
-TEST_CASE("the first sample of a pixel is at its centre and the others spread evenly over it") {
+TEST_CASE("the first sample of a pixel is at its centre, and the others spread evenly over it") {
     CHECK(r2_offset(0) == vec2(0.5f));
     int count[4][4] = {};
     bool within = true;

@@ -15,7 +15,7 @@ TEST_CASE("a matte surface reflects albedo / pi of the light that arrives") {
                                {0, "nothing is reflected"}}));
 }
 
-TEST_CASE("an emissive surface has its own radiance whatever light arrives") {
+TEST_CASE("an emissive surface has its own radiance, whatever light arrives") {
     CHECK(outgoing_radiance(emissive({0.2f, 3, 0.7f}), vec3(0)) == approx(vec3(0.2f, 3, 0.7f)));
     CHECK(outgoing_radiance(emissive({0.2f, 3, 0.7f}), vec3(9)) == approx(vec3(0.2f, 3, 0.7f)));
     CHECK_MESSAGE(outgoing_radiance(Diffuse{{0.8f, 0.4f, 0.5f}, {1, 2, 3}}, vec3(pi)) ==

@@ -39,7 +39,7 @@ TEST_CASE("on the map of a ball u grows evenly eastward") {
         }
 }
 
-TEST_CASE("with north up east on the map of a ball is to the viewer's right") {
+TEST_CASE("east on the map of a ball is to the viewer's right if north is up") {
     const Sphere globe{{2, 1, -4}, 1.5f, 0};
     const Camera camera = make_camera({.from = {6, 2, 3}, .at = globe.center, .fov = 20}, 100, 100);
     const auto uv = [&](vec2 pixel) {

@@ -24,7 +24,7 @@ TEST_CASE("in an empty scene a ray hits nothing") {
     CHECK_FALSE(intersect(Scene{}, Ray{{0, 0, 0}, {0, 0, -1}}));
 }
 
-TEST_CASE("of many shapes a ray hits the closest whatever their order") {
+TEST_CASE("of many shapes a ray hits the closest, whatever their order") {
     // Along the ray: a ball at t = 2, a plane at 3, balls at 4, 5 and 6. The material of each is its t.
     const vec3 origin(3, 1, -2);
     const vec3 direction = 2.0f * vec3(2, -3, 6) / 7.0f;
@@ -61,7 +61,7 @@ TEST_CASE("of many shapes a ray hits the closest whatever their order") {
     } while (std::next_permutation(order.begin(), order.end()));
 }
 
-TEST_CASE("a plane in front of a ball and a ball in front of a plane are both found") {
+TEST_CASE("a plane in front of a ball is hit first, and the other way round") {
     Scene scene;
     scene.planes = {{{0, 0, -6}, {0, 0, 1}, 1}, {{0, 0, -9}, {0, 0, 1}, 2}};
     scene.spheres = {{{0, 0, -5}, 0.5f, 3}, {{2, 0, -7.5f}, 0.5f, 4}};

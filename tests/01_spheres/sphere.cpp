@@ -13,7 +13,7 @@
 using namespace rt;
 using glm::dvec3;
 
-TEST_CASE("a ball of radius 1 five metres ahead is hit at t = 4") {
+TEST_CASE("a ball of radius 1, five metres ahead, is hit at t = 4") {
     const float t = t_of(intersect(Sphere{{0, 0, -5}, 1, 0}, Ray{{0, 0, 0}, {0, 0, -1}}));
     CHECK_MESSAGE(t == approx(4),
                   hint(t, {{6, "this is the far root"},
@@ -24,7 +24,7 @@ TEST_CASE("a ball of radius 1 five metres ahead is hit at t = 4") {
                            {miss, "a miss: C - O has the wrong sign, or a root was rejected"}}));
 }
 
-TEST_CASE("behind the near side of a ball is its far side at t = 6") {
+TEST_CASE("behind the near side of a ball is its far side, at t = 6") {
     const float t = t_of(intersect(Sphere{{0, 0, -5}, 1, 0}, Ray{{0, 0, 0}, {0, 0, -1}, 5}));
     CHECK_MESSAGE(t == approx(6), hint(t, {{4, "this is the near root, which lies before t_min = 5"},
                                            {miss, "only the near root was tried"}}));

@@ -38,7 +38,7 @@ int shadowed_by_itself(const Sphere& ball, float lamp_distance, float eye_distan
 
 } // namespace
 
-TEST_CASE("no point of a ball that faces the light is shadowed by the ball whatever its size and position") {
+TEST_CASE("no point of a ball that faces the light is shadowed by the ball, whatever its size and position") {
     for (const float radius : {0.01f, 0.5f, 7.0f, 1000.0f})
         for (const vec3 center : {vec3(0), vec3(1, -2, 3), vec3(-300, 40, 77)}) {
             INFO("radius " << radius << " around " << to_text(center));

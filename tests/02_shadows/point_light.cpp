@@ -9,7 +9,7 @@
 
 using namespace rt;
 
-TEST_CASE("straight below a light of pi W/sr at 2 metres the irradiance is pi / 4") {
+TEST_CASE("straight below a light of pi W/sr, at 2 metres, the irradiance is pi / 4") {
     const PointLight light{somewhere + 2.0f * tilted, vec3(pi)};
     const float e = irradiance(light, somewhere, tilted).x;
     CHECK_MESSAGE(
@@ -26,7 +26,7 @@ TEST_CASE("straight below a light of pi W/sr at 2 metres the irradiance is pi / 
 }
 
 TEST_CASE(
-    "where the light arrives at 45 degrees on the same floor the irradiance is pi / 8 times the cosine") {
+    "where the light arrives at 45 degrees, on the same floor, the irradiance is pi / 8 times the cosine") {
     const PointLight light{somewhere + 2.0f * tilted, vec3(pi)};
     const float e = irradiance(light, somewhere + 2.0f * beside(tilted), tilted).x;
     CHECK_MESSAGE(e == approx(pi / 8 * 0.70710678f),
@@ -37,7 +37,7 @@ TEST_CASE(
                            {pi * 0.70710678f, "no falloff"}}));
 }
 
-TEST_CASE("twice as far from a light the irradiance is a quarter") {
+TEST_CASE("twice as far from a light, the irradiance is a quarter") {
     const PointLight light{somewhere, {3, 2, 1}};
     const vec3 way = vec3(6, -2, 3) / 7.0f;
     const vec3 near = irradiance(light, somewhere - 1.5f * way, tilted);

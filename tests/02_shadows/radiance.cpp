@@ -92,7 +92,7 @@ TEST_CASE("the picture lit by two lights is the sum of the pictures lit by each"
     CHECK(shadowed > 200);
 }
 
-TEST_CASE("the light of the sky is added once however many lights there are") {
+TEST_CASE("the light of the sky is added once, however many lights there are") {
     Scene dark = room(), day = room(), sum = room();
     for (Scene* scene : {&dark, &day, &sum}) scene->materials[1] = Diffuse{vec3(0.3f)};
     dark.lights = sum.lights = {{{-2.2f, 3, 2}, {9, 6.5f, 4}}, {{3.2f, 2.2f, 1.2f}, {2, 3, 5}}};

@@ -49,7 +49,7 @@ TEST_CASE("the shape that blocks a light may be anywhere in the list") {
     CHECK_FALSE(occluded(walls, Ray{up.origin, up.direction, 0, 0.7f}));
 }
 
-TEST_CASE("of many shapes a ray hits the closest whatever their order") {
+TEST_CASE("of many shapes a ray hits the closest, whatever their order") {
     const vec3 origin(3, 1, -2), direction = 2.0f * vec3(2, -3, 6) / 7.0f;
     const auto ball = [&](int t) { return Sphere{origin + (float(t) + 0.25f) * direction, 0.5f, t}; };
     std::vector<int> order{2, 4, 5, 6};

@@ -7,7 +7,7 @@
 
 using namespace rt;
 
-TEST_CASE("a secondary ray starts beside the surface on the side that it enters") {
+TEST_CASE("a secondary ray starts beside the surface, on the side that it enters") {
     const Hit hit = hit_at(somewhere, tilted);
     const vec3 out = 3.0f * tilted + 2.0f * beside(tilted);
     const vec3 outside = offset_ray_origin(hit, out) - hit.position;
@@ -30,7 +30,7 @@ TEST_CASE("the offset is along the geometric normal and not along the shading no
     CHECK(length(cross(step, tilted)) < 0.1f * length(step));
 }
 
-TEST_CASE("the offset grows with the coordinates as their rounding error does") {
+TEST_CASE("the offset grows with the coordinates, as their rounding error does") {
     const float near = length(offset_ray_origin(hit_at({1, 0, 0}, tilted), tilted) - vec3(1, 0, 0));
     const float far = length(offset_ray_origin(hit_at({1000, 0, 0}, tilted), tilted) - vec3(1000, 0, 0));
     CHECK_MESSAGE(far > 100 * near, "near the origin " << near << ", at 1000 metres " << far);

@@ -24,7 +24,7 @@ TEST_CASE("a reflective surface blends its base with what it mirrors") {
     }
 }
 
-TEST_CASE("at reflectivity 0 a surface is its base and at 1 a mirror to the last bit") {
+TEST_CASE("at reflectivity 0 a surface is its base, at 1 a mirror, to the last bit") {
     Scene scene = one_tile();
     scene.sky = {{0.1f, 0.2f, 0.9f}, {0.7f, 0.4f, 0.1f}};
     scene.lights = {{somewhere + 2.0f * tilted + beside(tilted), vec3(5, 4, 3)}};
@@ -93,7 +93,7 @@ TEST_CASE("a reflective coat can cover another coat") {
     CHECK_MESSAGE(radiance(scene, to_tile, 0) == approx(0.75f * 0.6f * glow), "the base needs no depth");
 }
 
-TEST_CASE("a reflective surface counts as a mirror and its base costs no depth") {
+TEST_CASE("a reflective surface counts as a mirror, and its base costs no depth") {
     const vec3 glow(3, 0.3f, 1);
     Scene scene = one_tile();
     scene.quads[0].material = 1;
@@ -115,7 +115,7 @@ TEST_CASE("two lacquered walls show each other as often as the depth allows") {
     }
 }
 
-TEST_CASE("white objects are invisible under a uniform sky whatever share of them is a mirror") {
+TEST_CASE("white objects are invisible under a uniform sky, whatever share of them is a mirror") {
     for (const float reflectivity : {0.0f, 0.25f, 0.5f, 1.0f}) {
         Scene scene{.sky = {c, c}};
         add(scene.materials, Diffuse{vec3(1)});

@@ -63,7 +63,7 @@ TEST_CASE("a corner of three mirrors sends a ray back to where it came from") {
     CHECK(reflect(reflect(reflect(slanting, a), b), c_) == approx(-slanting));
 }
 
-TEST_CASE("a reflected ray starts beside the surface on the side from which the ray came") {
+TEST_CASE("a reflected ray starts beside the surface, on the side from which the ray came") {
     const Hit hit = make_hit(Ray{somewhere - slanting, slanting, 0, 1}, tilted, {0, 0}, 0);
     const Ray reflected = reflected_ray({somewhere - slanting, slanting}, hit);
     CHECK(reflected.direction == approx(slanting - 2 * dot(slanting, tilted) * tilted));
@@ -90,7 +90,7 @@ TEST_CASE("a mirror reflects around the shading normal and offsets rays along th
         "the offset must be along hit.geometric_normal: the shading normal may point into the surface");
 }
 
-TEST_CASE("a reflected ray does not hit the ball that it leaves whatever the ball's size and position") {
+TEST_CASE("a reflected ray does not hit the ball that it leaves, whatever the ball's size and position") {
     Random random(5);
     for (const float radius : {0.01f, 0.5f, 7.0f, 1000.0f})
         for (const vec3 center : {vec3(0), vec3(1, -2, 3), vec3(-300, 40, 77)}) {

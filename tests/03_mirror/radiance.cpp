@@ -73,7 +73,7 @@ TEST_CASE("k facing mirrors of tint s show s to the power of k") {
     }
 }
 
-TEST_CASE("a ray may hit exactly as many mirrors as its depth and is black after them") {
+TEST_CASE("a ray may hit exactly as many mirrors as its depth, and is black after them") {
     for (const int k : {1, 2, 3, 8, 12}) {
         const Hall hall(k, {0.9f, 0.5f, 1});
         const vec3 whole = vec3(std::pow(0.9f, float(k)), std::pow(0.5f, float(k)), 1) * c;
@@ -120,7 +120,7 @@ TEST_CASE("the inside of a closed mirror without light is exactly dark") {
     CHECK_MESSAGE(box_leaks == 0, box_leaks << " of 500 rays leaked out of the box");
 }
 
-TEST_CASE("inside a ball with a mirror for a wall a lamp is seen by reflection from the wall") {
+TEST_CASE("inside a ball with a mirror for a wall, a lamp is seen by reflection from the wall") {
     Scene scene;
     const vec3 lamp = somewhere + vec3(0, 0.5f, 0);
     add(scene.materials, Mirror{{0.9f, 0.5f, 1}});

@@ -8,7 +8,7 @@
 
 using namespace rt;
 
-TEST_CASE("of balls, planes and quads a ray hits the closest whatever their order") {
+TEST_CASE("of balls, planes and quads a ray hits the closest, whatever their order") {
     const vec3 origin(3, 1, -2), direction = 2.0f * vec3(2, -3, 6) / 7.0f;
     const vec3 normal = normalize(vec3(1, -1, 3));
     const auto place = [&](int t) { return origin + float(t) * direction; };

@@ -52,7 +52,7 @@ TEST_CASE("an object inside tinted glass is seen only through the glass in front
           approx(vec3(0.5f, 2, 1) * exp(-absorption * 0.75f * radius), 1e-4f));
 }
 
-TEST_CASE("a bubble in tinted glass does not absorb but the glass around it does") {
+TEST_CASE("a bubble in tinted glass does not absorb, but the glass around it does") {
     const vec3 absorption{0.1f, 0.35f, 0.8f};
     const Medium tinted{1, absorption};
     Glassware scene = ball_of(Dielectric{tinted});

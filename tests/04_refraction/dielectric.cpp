@@ -29,7 +29,7 @@ TEST_CASE("light that leaves glass at 28.1255 degrees continues at 45 degrees") 
     CHECK_MESSAGE(angle_below(*direction) == approx(45), "18.3: eta is inverted");
 }
 
-TEST_CASE("n sin(theta) is the same on both sides of a boundary and no ray leaves the plane of incidence") {
+TEST_CASE("n sin(theta) is the same on both sides of a boundary, and no ray leaves the plane of incidence") {
     for (const float eta : {1 / 2.417f, 1 / 1.5f, 1 / 1.333f, 0.9f, 1.0f, 1.1f, 1.333f, 1.5f, 2.417f}) {
         for (float degrees = 0; degrees < 89.5f; degrees += 3.7f) {
             const float sin_t = eta * std::sin(glm::radians(degrees));
@@ -66,7 +66,7 @@ TEST_CASE("a reversed ray takes the same path through the boundary") {
     }
 }
 
-TEST_CASE("light that hits a boundary head-on continues straight whatever the media") {
+TEST_CASE("light that hits a boundary head-on continues straight, whatever the media") {
     for (const float eta : {1 / 2.417f, 1 / 1.5f, 1.0f, 1.5f, 2.417f}) {
         const auto direction = refract(-3.0f * normal, normal, eta);
         REQUIRE(direction);
@@ -146,7 +146,7 @@ TEST_CASE("light that enters the denser medium is never totally reflected") {
 
 // --------------------------------------------------------------------------------------------- Fresnel
 
-TEST_CASE("head-on glass reflects .04, water .020373 and diamond .171969 from either side") {
+TEST_CASE("head-on, glass reflects .04, water .020373 and diamond .171969, from either side") {
     struct Known {
         float ior, reflectance;
     };
@@ -160,7 +160,7 @@ TEST_CASE("head-on glass reflects .04, water .020373 and diamond .171969 from ei
     }
 }
 
-TEST_CASE("from air glass reflects what Fresnel's equations state at each angle") {
+TEST_CASE("from air, glass reflects what Fresnel's equations state at each angle") {
     struct Known {
         float degrees, reflectance;
     };
@@ -179,7 +179,7 @@ TEST_CASE("from air glass reflects what Fresnel's equations state at each angle"
     }
 }
 
-TEST_CASE("from inside glass reflects what Fresnel's equations state at each angle") {
+TEST_CASE("from inside, glass reflects what Fresnel's equations state at each angle") {
     struct Known {
         float degrees, reflectance;
     };
@@ -192,7 +192,7 @@ TEST_CASE("from inside glass reflects what Fresnel's equations state at each ang
     }
 }
 
-TEST_CASE("at Brewster's angle one polarisation vanishes and the two rays are perpendicular") {
+TEST_CASE("at Brewster's angle one polarisation vanishes, and the two rays are perpendicular") {
     const float brewster = glm::degrees(std::atan(1.5f));
     CHECK(brewster == approx(56.3099f));
     CHECK_MESSAGE(
@@ -216,7 +216,7 @@ TEST_CASE("a boundary reflects the same share of light along the same path in bo
     }
 }
 
-TEST_CASE("a boundary reflects between nothing and everything and everything at grazing incidence") {
+TEST_CASE("a boundary reflects between 0 and 1 of the light, and all of it at grazing incidence") {
     for (float ior = 1; ior <= 4; ior += 0.0625f) {
         for (const float eta : {ior, 1 / ior}) {
             for (int i = 0; i <= 1000; ++i) {

@@ -15,7 +15,7 @@ TEST_CASE("total reflection at a bubble shows the sky as a mirror would") {
                   "black: the reflected ray carries all of the light, so nothing may be subtracted from it");
 }
 
-TEST_CASE("each boundary costs one level of depth and light beyond the last is ignored") {
+TEST_CASE("each boundary costs one level of depth, and light beyond the last is ignored") {
     const Glassware scene = ball_of(ball);
     const Ray ray = ray_beside(0);
     CHECK_MESSAGE(radiance(scene, ray, 0) == approx(vec3(0)), "the ray may not cross any boundary");

@@ -54,7 +54,7 @@ TEST_CASE("a ray that starts inside a box enters it at t_min") {
     }
 }
 
-TEST_CASE("a box behind the ray or beyond t_max or before t_min is not entered") {
+TEST_CASE("a box behind the ray, beyond t_max or before t_min is not entered") {
     const vec3 direction{0.1f, -0.2f, -2}; // |d| is about 2: the ray is in the box from t = 2.5 to 3.5
     const vec3 from{0, 0, 10};
     CHECK(intersect(box_3x3x2, Ray{from, direction}) == 2.5f);
@@ -86,7 +86,7 @@ TEST_CASE("a ray whose direction is zero along an axis misses a box beside it") 
     }
 }
 
-TEST_CASE("a ray in the plane of a face hits the box whatever the sign of its zero") {
+TEST_CASE("a ray in the plane of a face hits the box, whatever the sign of its zero") {
     for (int axis = 0; axis < 3; ++axis) {
         for (const float zero : {0.0f, -0.0f}) {
             for (const vec3 corner : {box_3x3x2.min, box_3x3x2.max}) {
@@ -156,7 +156,7 @@ TEST_CASE("a box of zero thickness is hit") {
     }
 }
 
-TEST_CASE("a box grows to enclose points and boxes and an empty box encloses nothing") {
+TEST_CASE("a box grows to enclose points and boxes; an empty box encloses nothing") {
     Aabb box;
     CHECK(half_area(box) == 0);
     extend(box, vec3(1, 5, -2));

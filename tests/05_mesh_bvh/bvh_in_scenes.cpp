@@ -52,7 +52,7 @@ TEST_CASE("the tree finds the same hits as testing every triangle on a flat grid
 }
 
 TEST_CASE(
-    "the tree finds the same hits as testing every triangle among 100 identical triangles and one and none") {
+    "the tree finds the same hits as testing every triangle among 100 identical triangles, one, and none") {
     ObjModel identical = empty_file(), one = empty_file();
     for (int i = 0; i < 100; ++i) add_triangle(identical, a, b, c);
     add_triangle(one, a, b, c);

@@ -62,7 +62,7 @@ TEST_CASE("shapes with the same centroid are split all the same") {
     CHECK_MESSAGE(depth <= 40, "median splits of 5,000 shapes take about 13 levels");
 }
 
-TEST_CASE("shapes at one point or on one line or far away make a tree too") {
+TEST_CASE("shapes at one point, on one line or far away make a tree too") {
     check_tree(std::vector<Aabb>(300, Aabb{vec3(7), vec3(7)}));
     std::vector<Aabb> line, far, tiny;
     Random random(41);

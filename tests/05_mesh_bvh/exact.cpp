@@ -83,7 +83,7 @@ TEST_CASE("all acceleration structures agree on t among shapes of sizes over six
     CHECK(shadows <= 2);
 }
 
-TEST_CASE("a secondary ray starts off the surface on the correct side whatever the triangle's size and the "
+TEST_CASE("a secondary ray starts off the surface on the correct side, whatever the triangle's size and the "
           "camera's distance") {
     Random random(32);
     double lowest = infinity, highest = 0;
@@ -117,7 +117,8 @@ TEST_CASE("a secondary ray starts off the surface on the correct side whatever t
     CHECK_MESSAGE(highest < 2, "the ray starts too far from the surface: shadows detach");
 }
 
-TEST_CASE("a floor of a metre or a kilometre casts no shadow on itself and does not hit itself") {
+TEST_CASE(
+    "a floor of a metre or a kilometre casts no shadow on itself, and rays from it do not hit it again") {
     for (const float size : {1.0f, 30.0f, 1000.0f, 30000.0f}) {
         Random random(33);
         const vec3 up = normalize(vec3(0.3f, 1, -0.2f)), right = normalize(cross(up, vec3(0.1f, 0.2f, 1)));
@@ -152,7 +153,7 @@ TEST_CASE("a floor of a metre or a kilometre casts no shadow on itself and does 
     }
 }
 
-TEST_CASE("a surface hides what is behind it whatever its shading normal") {
+TEST_CASE("a surface hides what is behind it, whatever its shading normal") {
     const vec3 n = normalize(vec3(0.2f, 1, 0.1f)), bent = normalize(n + 0.8f * vec3(1, 0, 0));
     ObjModel file = empty_file();
     const vec3 u = normalize(cross(n, vec3(0, 0, 1))), v = cross(n, u);

@@ -144,7 +144,7 @@ TEST_CASE("transform scales a model then rotates it from +z towards +x and then 
     add_triangle(file, {0, 0, 1}, {1, 0, 0}, {0, 3, 0});
     file.normals = {{0, 0, 1}};
     transform(file, 2, 90, {10, 20, 30});
-    CHECK_MESSAGE(file.positions[0] == approx({12, 20, 30}), "after a quarter turn +z becomes +x");
+    CHECK_MESSAGE(file.positions[0] == approx({12, 20, 30}), "after a quarter turn, +z becomes +x");
     CHECK(file.positions[1] == approx({10, 20, 28}));
     CHECK(file.positions[2] == approx({10, 26, 30}));
     CHECK_MESSAGE(file.normals[0] == approx({1, 0, 0}), "normals are rotated and not translated");

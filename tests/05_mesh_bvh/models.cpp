@@ -25,7 +25,7 @@ TEST_CASE("a glass mesh is a lens: from inside a ball of triangles light gets ou
 }
 
 TEST_CASE(
-    "the bunny of Debian's glmark2-data loads and renders within seconds and the tree changes nothing") {
+    "the bunny of Debian's glmark2-data loads and renders within seconds, and the tree changes nothing") {
     const std::string path = "/usr/share/glmark2/models/bunny.obj";
     if (!std::filesystem::exists(path)) {
         SKIP_CHECK(path + " is not there: apt-get install glmark2-data");

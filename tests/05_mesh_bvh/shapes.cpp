@@ -5,7 +5,7 @@
 
 using namespace rt;
 
-TEST_CASE("a ray hits the closest of several shapes whatever its type") {
+TEST_CASE("a ray hits the closest of several shapes, whatever its type") {
     for (int nearest = 0; nearest < 4; ++nearest) {
         const auto depth = [&](int kind) { return -2.0f - float((kind - nearest + 4) % 4); };
         for (const Accel accel : {Accel::brute, Accel::bvh, Accel::wide}) {

@@ -136,7 +136,7 @@ TEST_CASE("a texture of .8 and .15 seen from far away averages .475 too") {
     CHECK(std::abs(mean.z(0.475)) < 4);
 }
 
-TEST_CASE("tinted glass and mirrors and depth work in a textured scene as in step 04") {
+TEST_CASE("tinted glass, mirrors and depth work in a textured scene as in step 04") {
     const vec3 absorption{0.1f, 0.35f, 0.8f};
     Scene scene = evenly_lit();
     scene.spheres = {{{1, 2, 3}, 2, add(scene.materials, Dielectric{{1, absorption}})},

@@ -21,7 +21,7 @@ TEST_CASE("an sRGB value is decoded to linear light by the exact curve") {
     CHECK(linear_from_srgb(1) == approx(1, 1e-6f));
 }
 
-TEST_CASE("the two pieces of the sRGB curve meet and it increases everywhere") {
+TEST_CASE("the two pieces of the sRGB curve meet, and it increases everywhere") {
     CHECK(linear_from_srgb(0.04045f) == approx(0.0031308f, 1e-6f));
     CHECK(linear_from_srgb(0.04046f) - linear_from_srgb(0.04044f) == approx(0.00002f / 12.92f, 5e-7f));
     for (int i = 0; i < 1000; ++i)
@@ -178,7 +178,7 @@ TEST_CASE("a single texel fills everything and no uv produces a value out of ran
     }
 }
 
-TEST_CASE("the tint multiplies a texture and uv_scale repeats it and emission is unaffected") {
+TEST_CASE("the tint multiplies a texture, uv_scale repeats it, and emission is unaffected") {
     const std::vector<Texture> textures = {texture_of(1, 1, {grey}), card()};
     const vec2 uv{0.31f, 0.83f};
     const Diffuse plain = evaluate(ImageTexture{1}, textures, uv);

@@ -5,7 +5,7 @@
 
 using namespace rt;
 
-TEST_CASE("on a sphere v is 0 at the south pole and .5 at the equator and 1 at the north pole") {
+TEST_CASE("on a sphere v is 0 at the south pole, .5 at the equator and 1 at the north pole") {
     CHECK_MESSAGE(sphere_uv({0, -1, 0}).y == approx(0), "1: upside down");
     CHECK(sphere_uv({0, 1, 0}).y == approx(1));
     CHECK(sphere_uv(normalize(vec3(3, 0, -2))).y == approx(0.5f));

@@ -185,7 +185,7 @@ TEST_CASE("two dimensions fill their square evenly over the pixels") {
             }
 }
 
-TEST_CASE("numbers of different pixels and seeds and samples are independent") {
+TEST_CASE("numbers of different pixels, seeds and samples are independent") {
     for (const SamplerKind kind : kinds) {
         std::array<Mean, 3> other;
         for (int pixel = 0; pixel < 30'000; ++pixel) {

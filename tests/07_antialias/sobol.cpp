@@ -10,7 +10,7 @@
 
 using namespace rt;
 
-TEST_CASE("Sobol's first points are the published ones and the rest follow from the direction numbers") {
+TEST_CASE("Sobol's first points are the published ones, and the rest follow from the direction numbers") {
     const std::array<vec2, 8> book{vec2(0, 0),           vec2(0.5f, 0.5f),     vec2(0.25f, 0.75f),
                                    vec2(0.75f, 0.25f),   vec2(0.125f, 0.625f), vec2(0.625f, 0.125f),
                                    vec2(0.375f, 0.375f), vec2(0.875f, 0.875f)};

@@ -40,7 +40,7 @@ std::vector<Cell> cells_of(int count) {
 
 // ---- cells
 
-TEST_CASE("each of 1 to 100 stratified samples has its own cell and all cells have the same area") {
+TEST_CASE("each of 1 to 100 stratified samples has its own cell, and all cells have the same area") {
     for (int count = 1; count <= 100; ++count) {
         const std::vector<Cell> cells = cells_of(count);
         float smallest = 2, largest = 0;
@@ -126,7 +126,7 @@ TEST_CASE("a permutation reaches every element once for any count and key") {
         }
 }
 
-TEST_CASE("over the keys any two samples are sent to any two elements equally often") {
+TEST_CASE("over the keys, any two samples are sent to any two elements equally often") {
     for (const int count : {2, 3, 4, 5, 7, 8, 12, 16, 30, 64}) {
         const auto n = std::size_t(count);
         std::vector<int> found(n * n, 0);

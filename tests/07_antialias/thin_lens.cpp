@@ -32,7 +32,7 @@ std::vector<vec2> grid() {
 
 } // namespace
 
-TEST_CASE("points of the disk are spread evenly by area and even points stay even") {
+TEST_CASE("points of the disk are spread evenly by area, and even points stay even") {
     // Even by area: the mean of r^2 is 1/2 and that of r^4 is 1/3; x and y have the same
     // distribution and are uncorrelated.
     Mean x, y, xy, difference, square, fourth;

@@ -26,7 +26,7 @@ Scene ball(vec3 albedo, Accel accel, bool lamps) {
 
 } // namespace
 
-TEST_CASE("no light gets into a closed smooth mesh from the sky or a point light or an area light") {
+TEST_CASE("no light gets into a closed smooth mesh from the sky, a point light or an area light") {
     for (const Accel accel : {Accel::brute, Accel::bvh, Accel::wide}) {
         const Scene scene = ball(vec3(0.9f), accel, true);
         const AreaLights lights = collect_area_lights(scene);

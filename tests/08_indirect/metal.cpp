@@ -23,7 +23,8 @@ TEST_CASE("a metal with fuzz 0 is a mirror") {
     }
 }
 
-TEST_CASE("a fuzzy metal scatters evenly around the mirror direction and loses rays that enter the surface") {
+TEST_CASE(
+    "a fuzzy metal scatters evenly around the mirror direction, and loses rays that enter the surface") {
     // On the sphere of radius f around the unit mirror direction, heights are uniform: if the mirror ray has
     // the cosine c, a share of (1 - c / f) / 2 is below the surface.
     for (const float fuzz : {0.2f, 0.7f, 1.0f})

@@ -14,7 +14,7 @@
 
 using namespace rt;
 
-TEST_CASE("in a white world a metal shows its albedo minus the loss by its fuzz") {
+TEST_CASE("in a white world a metal shows its albedo, minus the loss by its fuzz") {
     for (const float fuzz : {0.0f, 0.3f, 1.0f}) {
         Scene scene;
         scene.sky = {vec3(1), vec3(1)};
@@ -73,7 +73,7 @@ TEST_CASE("a coated lamp lights its surroundings like a lamp of 1 - k of its rad
     }
 }
 
-TEST_CASE("the depth counts mirrors: after k mirrors s^k remains and at a smaller depth nothing") {
+TEST_CASE("the depth counts mirrors: after k mirrors s^k remains, at a smaller depth nothing") {
     // Two facing mirrors one metre apart; the ray climbs one metre between bounces and leaves after three.
     Scene scene;
     const int mirror = add(scene.materials, Mirror{{0.9f, 0.5f, 1}});

@@ -98,7 +98,7 @@ TEST_CASE("a white ball in a white world is invisible") {
     }
 }
 
-TEST_CASE("nothing that is white or a mirror or clear glass is visible in a white world") {
+TEST_CASE("nothing white, mirroring or clear is visible in a white world") {
     Scene scene;
     scene.sky = {vec3(1), vec3(1)};
     const int white = add(scene.materials, Diffuse{vec3(1)});

@@ -24,7 +24,7 @@ TEST_CASE("roulette leaves the mean of a path's throughput unchanged") {
     }
 }
 
-TEST_CASE("roulette ends dim paths more often than bright ones and black ones immediately") {
+TEST_CASE("roulette ends dim paths more often than bright ones, and black ones immediately") {
     Random random(13);
     const auto survivors = [&](vec3 carried) {
         int count = 0;

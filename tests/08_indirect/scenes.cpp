@@ -44,7 +44,7 @@ std::vector<Sphere> small_balls(const Scene& scene) {
 
 } // namespace
 
-TEST_CASE("a box is closed and faces outward and is at its rotated and translated position") {
+TEST_CASE("a box is closed, faces outward and is rotated and translated correctly") {
     Scene scene;
     add_box(scene, {2, 3, 5}, 30, {10, 20, 30}, 7);
     REQUIRE(scene.quads.size() == 6);

@@ -95,7 +95,7 @@ TEST_CASE("all strategies of direct lighting and hemisphere sampling give the sa
         }
 }
 
-TEST_CASE("with mirrors, metal and glass all strategies agree: no caustic is lost or counted twice") {
+TEST_CASE("with mirrors, metal and glass, all strategies agree: no caustic is lost or counted twice") {
     Scene scene = oblique_scene();
     const int glass = add(scene.materials, Dielectric{{1.5f, {0.5f, 0.1f, 0.3f}}});
     const int coat = add(scene.materials, Coated{0.6f, 0, {0.9f, 0.8f, 0.7f}});
@@ -237,7 +237,7 @@ TEST_CASE("A1 F12 = A2 F21 for lamps of different sizes") {
     CHECK(apart(up, down) < 4);
 }
 
-TEST_CASE("inside a closed box of emission Le whose walls reflect half of the light the radiance is 2 Le") {
+TEST_CASE("in a closed box of emission Le whose walls reflect half of the light, the radiance is 2 Le") {
     // Near an edge, light sampling has rare large values, so one false alarm in
     // 16,000 is only approximate here.
     Scene scene;

@@ -88,7 +88,7 @@ void check_wide_tree(const std::vector<Aabb>& boxes) {
 
 } // namespace
 
-TEST_CASE("every primitive is in one lane of the wide tree and every box encloses everything below it") {
+TEST_CASE("every primitive is in one lane of the wide tree, and every box encloses everything below it") {
     check_wide_tree({});
     check_wide_tree(boxes_of(random_triangles(5000, 0.1f)));
     check_wide_tree(boxes_of(flat_grid(30)));
@@ -170,7 +170,7 @@ TEST_CASE("cost of collapsing: a subtree of two leaves takes two slots or one no
     CHECK(above.leaves[2] == 3);
 }
 
-TEST_CASE("cost of collapsing: primitives that fit into one block become one block unless two blocks are "
+TEST_CASE("cost of collapsing: primitives that fit into one block become one block, unless two blocks are "
           "cheaper and fit") {
     const auto leaf = [](float area) { return CollapseCost{broadcast(area), IntN{}, IntN{} + 1}; };
     BinaryNode near{{vec3(0), vec3(3)}, nullptr, 0, simd_width}; // 27

@@ -120,7 +120,7 @@ TEST_CASE("a block of spheres rejects none that a ray hits") {
                   "most candidates must be hits, or the exact test has too much work");
 }
 
-TEST_CASE("a block rejects no sphere that a ray grazes whether near or far or small or large") {
+TEST_CASE("a block rejects no sphere that a ray grazes, near or far, small or large") {
     Random random(84);
     int hits = 0, misses = 0, lost = 0, off = 0;
     for (int i = 0; i < 20000; ++i) {

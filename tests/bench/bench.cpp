@@ -180,8 +180,8 @@ TEST_CASE("medians and geometric means are correct and ignore unknown values") {
     CHECK(std::isnan(geometric_mean({unknown})));
 }
 
-TEST_CASE("JSON keeps the order of its fields and writes null for non-finite numbers and U+FFFD for invalid "
-          "UTF-8") {
+TEST_CASE(
+    "JSON keeps the order of its fields; it has null for non-finite numbers and U+FFFD for invalid UTF-8") {
     const Json json{{"b", 1.25}, {"a", unknown}, {"list", {1, "x"}}};
     CHECK(json::text(json) == "{\"b\":1.25,\"a\":null,\"list\":[1,\"x\"]}");
     CHECK(json::text("caf\xE9!") == "\"caf\uFFFD!\"");
@@ -244,7 +244,7 @@ std::vector<glm::dvec2> captured(const std::string& text, const std::string& pat
 
 } // namespace
 
-TEST_CASE("the report sums the checks and shows its plots and rejects invalid numbers") {
+TEST_CASE("the report sums the checks, shows its plots and rejects invalid numbers") {
     const Report report = make_report(numbers, true);
     CHECK(report.text.find("|   30 |         3 |") != std::string::npos);
     CHECK(report.text.find("![Where the time of one thread goes](renders.svg)") != std::string::npos);
@@ -270,7 +270,7 @@ TEST_CASE("a plot supports dark mode and equal numbers give an equal file") {
     }
 }
 
-TEST_CASE("on a logarithmic axis equal ratios have equal distances, larger values are higher and gaps are "
+TEST_CASE("on a logarithmic axis, equal ratios have equal distances, larger values are higher and gaps are "
           "omitted") {
     const auto plots = drawn_plots();
     if (plots.empty()) {

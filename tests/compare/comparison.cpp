@@ -48,7 +48,7 @@ const Image right = lopsided(144, 96);
 
 } // namespace
 
-TEST_CASE("the verdict is same or borderline or different by the differences of the floats and of FLIP") {
+TEST_CASE("the verdict is same, borderline or different, by the floats and by FLIP") {
     CHECK(compared(right, right).verdict == Verdict::same);
     CHECK(all_lines(compared(right, right)) == "same picture (largest difference 0, mean 0)\n");
     const Image nearly = patched(right, {60, 40, 72, 48}, vec3(1.02f));
@@ -71,7 +71,7 @@ TEST_CASE("step 04 has a higher limit before the verdict is different") {
     CHECK(compare_images(input).verdict == Verdict::borderline);
 }
 
-TEST_CASE("the words state place, direction and amount and the values of the worst pixel") {
+TEST_CASE("the words state place, direction, amount and the values of the worst pixel") {
     const Comparison bright = compared(patched(right, lower_left, vec3(1.12f)), right);
     CHECK_ERROR(bright.location.words, "too bright by 12 % in the lower left", "3.7 % of the picture",
                 "x 9 to 38, y 72 to 87");
@@ -119,8 +119,7 @@ TEST_CASE("noisy pictures are the same up to noise or different in a place") {
     CHECK_ERROR(look.lines[0], "look at the map");
 }
 
-TEST_CASE(
-    "pixels that are NaN are reported with the first one in memory and from a file and are never noise") {
+TEST_CASE("NaN pixels are reported with the first one, in memory and from a file, and are never noise") {
     Image wrong = right;
     wrong(70, 50).y = std::numeric_limits<float>::quiet_NaN();
     wrong(30, 51).x = infinity;
@@ -160,7 +159,7 @@ TEST_CASE("a PNG is compared with a .hdr as far as the PNG has information") {
                 "too bright by 1", "in the lower left", "3.7 %");
 }
 
-TEST_CASE("a known mistake is named if the picture matches it and only then") {
+TEST_CASE("a known mistake is named if the picture matches it, and only then") {
     const Image mistake = patched(right, lower_left, vec3(2.0f)), other = mirrored(right, true, false);
     ComparisonInput input{{mistake}, {right}};
     add_to_catalogue(input, "other", other);

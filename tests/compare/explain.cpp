@@ -35,7 +35,7 @@ vec3 power(vec3 colour, float exponent) {
 
 } // namespace
 
-TEST_CASE("a mirrored or rotated picture is explained in floats, files and under noise") {
+TEST_CASE("a mirrored or rotated picture is explained, in floats, in files and under noise") {
     const Image right = lopsided(96, 64), square = lopsided(64, 64);
     for (const std::string& how : storages) {
         INFO(how);
@@ -50,7 +50,7 @@ TEST_CASE("a mirrored or rotated picture is explained in floats, files and under
     CHECK(explained_noisy(transposed(square), square) == "rows and columns swapped");
 }
 
-TEST_CASE("a picture with changed colours is explained in floats, files and under noise") {
+TEST_CASE("a picture with changed colours is explained, in floats, in files and under noise") {
     const Image right = lopsided(96, 64);
     const std::vector<std::pair<std::string, std::function<vec3(vec3)>>> slips{
         {"red and blue swapped", [](vec3 c) { return vec3(c.z, c.y, c.x); }},

@@ -63,7 +63,7 @@ std::string tiny_png(int colour_type, std::size_t channels) {
 
 } // namespace
 
-TEST_CASE("compare exits with 0 for the same picture and with 1 for a different one and states the reason") {
+TEST_CASE("compare exits with 0 for the same picture and with 1 for a different one, and states the reason") {
     const Pictures run;
     const Said same = run(run.right + " " + run.right);
     CHECK(same.code == 0);
@@ -107,7 +107,7 @@ TEST_CASE("compare with variances reports only what noise does not explain") {
     check_refused(run(file("a") + file("b") + "--variance-a " + file("av")), "--variance-b");
 }
 
-TEST_CASE("compare writes its verdict as JSON to a file or to standard output and the map") {
+TEST_CASE("compare writes its verdict as JSON to a file or to standard output, and the map") {
     const Pictures run;
     const std::string both = run.flipped + " " + run.right, json = run.folder / "verdict.json";
     const Said to_file = run(both + " --json " + json + " --map " + (run.folder / "map.png"));

@@ -52,7 +52,7 @@ TEST_CASE("checks that end are reported unchanged") {
     CHECK(checks[2].failures[0].values == "6 == 4");
 }
 
-TEST_CASE("a check that crashes is named and the others still run") {
+TEST_CASE("a check that crashes is named, and the others still run") {
     const auto checks = checks_of("kill -SEGV $$");
     REQUIRE(checks.size() == 3);
     CHECK(checks[1].name == "b");
@@ -62,7 +62,7 @@ TEST_CASE("a check that crashes is named and the others still run") {
     CHECK(checks[2].state == CheckState::failed);
 }
 
-TEST_CASE("a check that does not terminate is stopped and named and the others still run") {
+TEST_CASE("a check that does not terminate is stopped and named, and the others still run") {
     const auto checks = checks_of("while :; do :; done", 1);
     REQUIRE(checks.size() == 3);
     CHECK(checks[1].state == CheckState::endless);

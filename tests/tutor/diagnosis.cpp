@@ -147,7 +147,7 @@ TEST_CASE("a signature that lacks a check is named as likely") {
 }
 
 TEST_CASE(
-    "a diagnosis is explained by the mistake and its cause and its fix or else by the first failing check") {
+    "a diagnosis is explained by the mistake, its cause and its fix, or else by the first failing check") {
     const std::vector<Mistake> catalogue{{.step = "01_one",
                                           .id = "far",
                                           .title = "the far root",
@@ -167,7 +167,7 @@ TEST_CASE(
     CHECK(explanation({}, catalogue).empty());
 }
 
-TEST_CASE("without failures nothing is diagnosed") {
+TEST_CASE("without failures, nothing is diagnosed") {
     auto results = seen({"a"}, "6 == 4");
     results[0].state = CheckState::ok;
     CHECK(diagnose({known("far", {"a"}, "6 == 4")}, {results}).confidence == Confidence::none);

@@ -77,7 +77,7 @@ TEST_CASE("a region without an end is an error that names file and line") {
     CHECK(complaint("int f() {\n    //> a\n    //> b\n    //<\n}\n").find("some.h:2: ") == 0);
 }
 
-TEST_CASE("a region without a beginning or a task or a function is an error that names file and line") {
+TEST_CASE("a region without a beginning, a task or a function is an error that names file and line") {
     CHECK(complaint("int f() {\n    //< return 1;\n}\n").find("some.h:2: ") == 0);
     CHECK(complaint("int f() {\n    //>\n    //<\n}\n").find("some.h:2: ") == 0);
     CHECK(complaint("int f() {\n}\n//> task\n//<\n").find("some.h:3: ") == 0);
@@ -141,7 +141,7 @@ TEST_CASE("the headers that a header needs come before it") {
           std::vector<std::string>{"01_one/shape.h", "02_two/base.h", "02_two/above.h"});
 }
 
-TEST_CASE("a function with a loop or a recursive call may not terminate and others do") {
+TEST_CASE("a function with a loop or a recursive call may not terminate; others do") {
     const auto may = [](const std::string& body) {
         const std::string text =
             "inline int f(int x) {\n" + body + "\n}\ninline int g(int x) {\n    for (;;) {}\n}\n";

@@ -45,7 +45,7 @@ TEST_CASE("each call gives the next hint and after the third there is none") {
     CHECK(has(hint(small, "sign"), "Hint 1 of 3")); // each exercise is counted separately
 }
 
-TEST_CASE("a hint can be repeated and all can be shown and the count can be reset") {
+TEST_CASE("a hint can be repeated, all can be shown, and the count can be reset") {
     const SmallProject small;
     CHECK(has(hint(small, "half", HintWish::again), "Hint 1 of 3"));
     hint(small, "half");
@@ -59,7 +59,7 @@ TEST_CASE("a hint can be repeated and all can be shown and the count can be rese
     CHECK(has(hint(small, "half"), "Hint 1 of 3"));
 }
 
-TEST_CASE("without a name the exercises of the step are listed with the number of hints seen") {
+TEST_CASE("without a name, the exercises of the step are listed with the number of hints seen") {
     const SmallProject small;
     hint(small, "sign");
     const std::string list = hint(small, "");
@@ -75,7 +75,7 @@ TEST_CASE("an unknown exercise is rejected with the list of names") {
                          Error);
 }
 
-TEST_CASE("hints that are missing or superfluous or not three are errors that name the file") {
+TEST_CASE("hints that are missing, superfluous or not three are errors that name the file") {
     CHECK(has(complaint("## half\n1. a\n2. b\n3. c\n"), "01_one/hints.md: no hints for sign"));
     const std::string both = "## half\n1. a\n2. b\n3. c\n## sign\n1. a\n2. b\n3. c\n";
     CHECK(complaint(both) == "");

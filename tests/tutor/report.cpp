@@ -63,7 +63,7 @@ std::vector<ReportCheck> some_checks() {
         {"expected (-0.36, -0.48, -0.8) within 1e-05, got (0.36, 0.48, 0.8)"});
     add("a path of three segments shows the ball at the end of its third segment", "unfinished",
         {"stopped after 10 s: a path over mirrors never ends"});
-    add("white objects are invisible under a uniform sky whatever share of them is a mirror", "skipped",
+    add("white objects are invisible under a uniform sky, whatever share of them is a mirror", "skipped",
         {"[skipped] needs the picture of step 02"});
     for (const char* name :
          {"a quad is hit between its edges and missed beyond them",

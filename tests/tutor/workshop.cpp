@@ -82,14 +82,14 @@ TEST_CASE("start lists the learner's files of earlier steps") {
     CHECK(has(start(small, "02_two"), "yours  01_one/shape.h:"));
 }
 
-TEST_CASE("if no folder can be created start fails and leaves nothing") {
+TEST_CASE("if no folder can be created, start fails and leaves nothing") {
     const SmallProject small;
     put(small.root / "workshop", "a file, not a folder");
     CHECK_THROWS_AS(start(small, "01_one"), Error);
     CHECK(text_of(small.root / "workshop") == "a file, not a folder");
 }
 
-TEST_CASE("3 and 03 and the full name mean a step and anything else is rejected") {
+TEST_CASE("3, 03 and the full name mean a step; anything else is rejected") {
     const SmallProject small;
     for (const char* word : {"2", "02", "02_two"}) CHECK(find_step(small.project, word) == "02_two");
     for (const char* word : {"", "3", "two", "002", "../steps/02_two", "02_two/"})
@@ -187,7 +187,7 @@ TEST_CASE("a check of one step keeps the state of the others and skips damaged l
     CHECK(text_of(small.own(".state")) == "01_one\t3\t0\tsame\tabc\n02_two\t1\t2\tlook\tdef\n");
 }
 
-TEST_CASE("a fingerprint depends on the files of the step and of earlier steps and not of later ones") {
+TEST_CASE("a fingerprint depends on the files of the step and of earlier steps, not of later ones") {
     const SmallProject small;
     const std::string nothing = fingerprint(small.project, "01_one");
     put(small.own("02_two/base.h"), "x");
@@ -200,7 +200,7 @@ TEST_CASE("a fingerprint depends on the files of the step and of earlier steps a
     CHECK(nothing.size() == 16);
 }
 
-TEST_CASE("if all steps are done nothing is left") {
+TEST_CASE("if all steps are done, nothing is left") {
     const SmallProject small;
     put(small.own("01_one/shape.h"), SmallProject::shape);
     put(small.own("02_two/base.h"), SmallProject::base);

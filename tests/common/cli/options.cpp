@@ -323,7 +323,7 @@ TEST_CASE("an unknown choice is rejected with the list of valid choices") {
     });
 }
 
-TEST_CASE("an input file must exist and be a file and an output file must have a name") {
+TEST_CASE("an input file must exist and be a file; an output file must have a name") {
     check_refused({
         {{"--mesh", "no/such.obj"}, {"--mesh: File does not exist: no/such.obj"}},
         {{"--mesh", "/"}, {"--mesh: File is actually a directory: /"}},

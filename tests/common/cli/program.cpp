@@ -161,7 +161,7 @@ TEST_CASE("an extension selects a single file in any folder") {
     CHECK(folder.files() == 3);
 }
 
-TEST_CASE("a run prints its settings and its cost and the names of its files") {
+TEST_CASE("a run prints its settings, its cost and the names of its files") {
     const Folder folder;
     const Run result = run({"--out", folder / "p", "--seed", "7"});
     std::istringstream lines(result.out);

@@ -242,7 +242,7 @@ std::string tga(int kind, int width, int height, int bits, const std::string& pi
 
 } // namespace
 
-TEST_CASE("a BMP is read from the bottom or the top and a colour beyond its palette is black") {
+TEST_CASE("a BMP is read from the bottom or the top; a colour beyond its palette is black") {
     const Folder folder;
     const auto values = [&](const std::string& bytes) {
         return read_bitmap(folder.write("a.bmp", bytes)).values;
@@ -278,7 +278,7 @@ TEST_CASE("a BMP is rejected if its pixels begin inside its header or are compre
     CHECK_ERROR(error_of_reading(folder, "old.bmp", old), "old.bmp", "inside its header");
 }
 
-TEST_CASE("a TGA is read with or without run lengths and an error names it if it is truncated") {
+TEST_CASE("a TGA is read with or without run lengths; an error names it if it is truncated") {
     const Folder folder;
     const std::string plain = tga(2, 2, 1, 24, "\x30\x20\x10\x60\x50\x40");
     const std::vector<std::uint16_t> two{0x1010, 0x2020, 0x3030, 0x4040, 0x5050, 0x6060};
@@ -354,7 +354,7 @@ TEST_CASE(".hdr values are rounded so that writing does not make a picture darke
 }
 
 TEST_CASE(
-    ".hdr has correct exponents at powers of two and at values that round up to one and at the extremes") {
+    ".hdr has correct exponents at powers of two, at values that round up to one, and at the extremes") {
     for (int power = -126; power < 127; ++power) {
         const float value = std::ldexp(1.0f, power);
         CHECK(linear_from_rgbe(rgbe_from_linear(vec3(value, 0, value / 2))) == vec3(value, 0, value / 2));
@@ -552,7 +552,7 @@ class FullDisk {
 
 } // namespace
 
-TEST_CASE("a full disk is an error and the old file survives and no partial file remains") {
+TEST_CASE("a full disk is an error; the old file survives and no partial file remains") {
     const Folder folder;
     const std::string old = folder.write("old.hdr", "as it was");
     std::string message, message_of_new;

@@ -125,7 +125,7 @@ TEST_CASE("the corners of a triangle refer to positions, texture coordinates and
     CHECK(file.materials[0].diffuse == vec3(0.6f));
 }
 
-TEST_CASE("v, v/vt, v//vn and v/vt/vn may be mixed and a missing index is -1") {
+TEST_CASE("v, v/vt, v//vn and v/vt/vn may be mixed; a missing index is -1") {
     const ObjModel file = read(four + "vt 0 0\nvn 0 0 1\nf 1 2/1 3//1\nf 1/ 3// 4/1/\n");
     REQUIRE(file.triangles.size() == 2);
     const auto& t = file.triangles[0];
@@ -175,7 +175,7 @@ TEST_CASE("numbers are read in every notation of the format") {
     CHECK(file.positions[2] == vec3(7, 0, 0));
 }
 
-TEST_CASE("line ends of any system and a byte order mark and a missing last line end are accepted") {
+TEST_CASE("line ends of any system, a byte order mark and a missing last line end are accepted") {
     const std::string expected = four + "f 1 2 3 4\nusemtl x\nf 1 2 3";
     std::string windows, old_mac;
     for (const char c : expected) {
@@ -252,7 +252,7 @@ TEST_CASE("a normal without direction counts as missing") {
 
 // ---- errors
 
-TEST_CASE("a position out of range is an error with file and line and the valid range") {
+TEST_CASE("a position out of range is an error with file, line and valid range") {
     CHECK_ERROR(error_of_text(four + "f 1 2 3\nf 1 2 5\nf 1 2 4\n"), "a.obj:6:", "position 5", "has 4");
     CHECK_ERROR(error_of_text(four + "f 1 2 -5\nv 0 0 0\n"), "a.obj:5:", "position -5", "4 stand before it");
     CHECK_ERROR(error_of_text(four + "f 0 1 2\n"), "a.obj:5:", "position 0", "starts at 1");
@@ -290,7 +290,7 @@ TEST_CASE("a number that is invalid or too large for a double is an error with f
     CHECK_ERROR(error_of_text("\xef\xbb\xbfv 0 x 0\r\n"), "a.obj:1:", "\"x\" is not a number");
 }
 
-TEST_CASE("a file that is missing or a folder or empty or without faces is an error") {
+TEST_CASE("a file that is missing, a folder, empty or without faces is an error") {
     const Folder folder;
     CHECK_ERROR(error_of([&] { read_obj(folder / "none.obj"); }), "none.obj", "no such file");
     CHECK_ERROR(error_of([&] { read_obj(folder.path.string()); }), "is a folder");
@@ -528,7 +528,7 @@ TEST_CASE("undefined materials are grey with a warning") {
           std::vector<int>{1, 0}); // faces before the first usemtl have the default material, which is last
 }
 
-TEST_CASE("several .mtl files and names with spaces and backslashes and relative folders are supported") {
+TEST_CASE("several .mtl files, names with spaces, backslashes and relative folders are supported") {
     const Folder folder;
     folder.write("one.mtl", "newmtl one\nKd 1 0 0\n");
     folder.write("sub/two.mtl", "newmtl two\nKd 0 1 0\n");
@@ -547,8 +547,7 @@ TEST_CASE("several .mtl files and names with spaces and backslashes and relative
 
 // ---- textures
 
-TEST_CASE(
-    "a texture is found beside the .mtl or beside the .obj or by its bare name and each is loaded once") {
+TEST_CASE("a texture is found beside the .mtl, beside the .obj or by its bare name; each is loaded once") {
     const Folder folder;
     const auto grey = [](char value) { return png(1, 1, 8, 0, std::string(1, '\0') + value); };
     folder.write("lib/near mtl.png", grey(10));

@@ -178,7 +178,7 @@ TEST_CASE("triangles without area are omitted at any size") {
 
 // ---- winding against normals
 
-TEST_CASE("faces that wind against their normals are reversed with their uvs and normals and counted") {
+TEST_CASE("faces that wind against their normals are reversed with their uvs and normals, and counted") {
     const Reading reading =
         read(four + "v 2 0 0\nvn 0 0 -1\nvn 0 .1 -1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt 2 0\n"
                     "f 1/1/1 2/2/1 3/3/2 4/4/2\nf 5/5/1 2/2/1 3/3/1\nf 1 2 3\n");
@@ -201,8 +201,7 @@ TEST_CASE("a concave face is reversed as a whole") {
     for (std::size_t i = 0; i < 3; ++i) CHECK(area_vector(reading.file, i).z < 0);
 }
 
-TEST_CASE(
-    "normals that contradict each other or lie in the face or are missing at a corner reverse nothing") {
+TEST_CASE("normals that contradict each other, lie in the face or are missing at a corner reverse nothing") {
     for (const char* face : {"f 1//1 2//2 3//3", "f 1//4 2//4 3//4", "f 1//2 2//2 3", "f 1//2 2//2 3//5"}) {
         const Reading reading = read(four + "vn 0 0 1\nvn 0 0 -1\nvn 1 0 0\nvn 0 1 -.01\nvn 0 0 0\n" + face);
         CHECK(reading.said == "");

@@ -44,8 +44,7 @@ TEST_CASE("each line of a list is a ball whose last column is a metal's fuzz or 
     CHECK(balls[2].ior == 1.5f);
 }
 
-TEST_CASE(
-    "line ends of all systems and blanks and empty lines and a byte order mark are accepted in a list") {
+TEST_CASE("line ends of all systems, blanks, empty lines and a byte order mark are accepted in a list") {
     const std::string row = "metal, 1 ,2,\t3,0.5,1,1,1,0.1";
     for (const std::string end : {"\n", "\r\n", "\r"}) {
         const std::string names = columns.substr(0, columns.size() - 1);

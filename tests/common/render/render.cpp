@@ -262,7 +262,7 @@ TEST_CASE("no more threads are started than there are pixels and 0 selects a num
     CHECK(rt::thread_count(picture(640, 400, 1, 0)) >= 1);
 }
 
-TEST_CASE("progress never decreases and ends at 1 and only one of the threads reports it at a time") {
+TEST_CASE("progress never decreases and ends at 1; only one of the threads reports it at a time") {
     std::vector<float> shares;
     rt::render(picture(83, 49, 1, 3), noise, [&shares](float share) { shares.push_back(share); });
     REQUIRE(shares.size() > 4);

@@ -41,7 +41,7 @@ TEST_CASE("a file keeps the permissions of the one that it replaces") {
     }
 }
 
-TEST_CASE("a link to a file that does not exist stays a link and its file is created") {
+TEST_CASE("a link to a file that does not exist stays a link, and its file is created") {
     const Folder folder;
     fs::create_directories(folder.path / "there");
     fs::create_symlink("there/new.png", folder.path / "a");
@@ -74,7 +74,7 @@ TEST_CASE("a file with two names is replaced only under the name that is written
     CHECK(bytes_of(folder / "b") == "old");
 }
 
-TEST_CASE("a name of 255 bytes is written and a longer one is rejected before any work with the reason") {
+TEST_CASE("a name of 255 bytes is written; a longer one is rejected before any work, with the reason") {
     const Folder folder;
     const std::string longest(255, 'n');
     check_file_writable(folder / longest);
@@ -84,7 +84,7 @@ TEST_CASE("a name of 255 bytes is written and a longer one is rejected before an
     CHECK_ERROR(error_of([&] { check_file_writable(folder / (longest + "n")); }), "File name too long");
 }
 
-TEST_CASE("if two programs write the same file then each writes it completely") {
+TEST_CASE("if two programs write the same file, each writes it completely") {
     const Folder folder;
     const std::string path = folder / "a", zeros(300000, '0'), ones(200000, '1');
     const auto write_often = [&path](const std::string& bytes) {

@@ -85,7 +85,7 @@ TEST_CASE("no more threads are at work than set_thread_count() permits") {
     }
 }
 
-TEST_CASE("with set_thread_count(1) all work is done on the calling thread") {
+TEST_CASE("with set_thread_count(1), all work is done on the calling thread") {
     const Allowed allowed(1);
     const auto own = std::this_thread::get_id();
     int elsewhere = 0, ranges = 0;
@@ -98,7 +98,7 @@ TEST_CASE("with set_thread_count(1) all work is done on the calling thread") {
     CHECK_MESSAGE(ranges == 1, "a single thread must get a single range");
 }
 
-TEST_CASE("an exception from either function leaves parallel_invoke() after both have ended on one thread "
+TEST_CASE("an exception from either function leaves parallel_invoke() after both have ended, on one thread "
           "and on two") {
     for (const int threads : {1, 2}) {
         for (const bool first_throws : {true, false}) {
