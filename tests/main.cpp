@@ -1,6 +1,6 @@
-// The main function of all test executables: doctest's, with two additions. A filter that selects
-// no test case is an error, and --reporters=lines prints events for other programs, one per line,
-// with fields separated by tabs:
+// The main function of all test executables: doctest's, with two additions.
+// A filter that selects no test case is an error, and --reporters=lines prints events for other programs, one
+// per line, with fields separated by tabs:
 //     case  name                              a test case begins
 //     fail  file:line  expression  expanded   an assertion failed
 //     note  text                              context or explanation of the failure before it

@@ -1,5 +1,4 @@
-// Facts about light paths over several mirrors: oblique paths, mirrored matte
-// objects, and shadows of mirrors.
+// Facts about light paths over several mirrors: oblique paths, matte objects in mirrors, shadows of mirrors.
 #include "03_mirror/radiance.h"
 #include "tests/03_mirror/scenes.h"
 

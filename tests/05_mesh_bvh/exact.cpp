@@ -1,5 +1,6 @@
-// Facts about the precision of hits: they are as exact as a float allows, for any size of shape and any
-// acceleration structure, so that a secondary ray starts off the surface and on the correct side.
+// Facts about the precision of hits.
+// Hits are as exact as a float allows, for any size of shape and any acceleration structure, so that a
+// secondary ray starts off the surface and on the correct side.
 #include "02_shadows/spawn_ray.h"
 #include "05_mesh_bvh/scene.h"
 #include "common/math/random.h"

@@ -1,6 +1,6 @@
-// Facts about samplers: evenly distributed in each dimension over the samples of a pixel, and independent
-// across dimensions, pixels and seeds. Seeds are fixed: a correct sampler exceeds z = 4 in one run out of
-// 31,000 in one-sided tests of the distribution and out of 16,000 in two-sided tests of a mean.
+// Facts about samplers: even over the samples of a pixel, and independent of pixel, seed and dimension.
+// Seeds are fixed: a correct sampler exceeds z = 4 in one run out of 31,000 in one-sided tests of the
+// distribution, and out of 16,000 in two-sided tests of a mean.
 #include "07_antialias/sampler.h"
 #include "tests/07_antialias/step.h"
 #include "tests/check.h"

@@ -1,5 +1,4 @@
-// Facts about stratified samples: their cells tile the square evenly, and the
-// permutations of cells are random.
+// Facts about stratified samples: their cells tile the square evenly, in a random permutation.
 // Seeds are fixed: correct samples exceed the limits of chi-square in one run out of 31,000 or more.
 #include "07_antialias/stratified.h"
 #include "tests/07_antialias/step.h"

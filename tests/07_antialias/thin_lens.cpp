@@ -1,5 +1,4 @@
-// Facts about a thin lens: where its rays start and where they converge, and the size
-// of the circle of confusion.
+// Facts about a thin lens: the origins of its rays, their convergence, and the circle of confusion.
 // Statistical checks are z-tests with fixed seeds; a correct renderer exceeds |z| =
 // 4 in one run out of 16,000.
 #include "07_antialias/program/options.h"

@@ -1,5 +1,6 @@
-// Facts about large triangles: the irradiance of a lamp on a floor follows Lambert's formula, whether the
-// floor measures a metre or a kilometre, for all acceleration structures and sampling strategies.
+// Facts about large triangles: the irradiance of a lamp on a floor follows Lambert's formula.
+// It does so whether the floor measures a metre or a kilometre, for all acceleration
+// structures and sampling strategies.
 #include "08_indirect/radiance.h"
 #include "08_indirect/scene.h"
 #include "common/math/random.h"

@@ -1,6 +1,6 @@
-// Facts about light transport in scenes without a closed form: different strategies agree, and
-// reversed paths carry the same light. These are z-tests with fixed seeds; a correct renderer exceeds
-// |z| = 4 in one run out of 16,000.
+// Facts about light transport in scenes without a closed form.
+// Different strategies agree, and reversed paths carry the same light. These are z-tests with fixed seeds; a
+// correct renderer exceeds |z| = 4 in one run out of 16,000.
 #include "08_indirect/area_lights.h"
 #include "08_indirect/hemisphere.h"
 #include "08_indirect/radiance.h"

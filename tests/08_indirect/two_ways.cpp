@@ -1,6 +1,6 @@
-// Facts about direct lighting by two strategies, also for lamps in meshes: both give the same light, and the
-// combination has less noise. Statistical checks are z-tests with fixed seeds; a correct renderer exceeds |z|
-// = 4 in one run out of 16,000.
+// Facts about direct lighting by light sampling and BSDF sampling, also for lamps in meshes.
+// Both give the same light, and their combination has less noise. Statistical checks are z-tests with fixed
+// seeds; a correct renderer exceeds |z| = 4 in one run out of 16,000.
 #include "08_indirect/radiance.h"
 #include "08_indirect/scene.h"
 #include "common/model/obj_file.h"

@@ -1,5 +1,4 @@
-// Facts about the benchmark tools: the traced scenes and rays, the arbitration of
-// disagreements, and the report.
+// Facts about the benchmark tools: scenes and rays, the arbitration of disagreements, the report.
 #include "tests/check.h"
 
 #include "common/util/error.h"

@@ -1,5 +1,4 @@
-// Facts about comparing: equal pictures pass, a bias is located with its sign, and
-// noise causes no false alarm.
+// Facts about comparing: equal pictures pass, a bias is located, and noise causes no false alarm.
 #include "tools/compare/difference.h"
 
 #include "common/util/error.h"

@@ -1,5 +1,4 @@
-// Facts about explanations: each known cause is named, in floats, in files and under noise, and no cause is
-// claimed where none can be known.
+// Facts about explanations: each known cause is named, and none is claimed without evidence.
 #include "tools/compare/explain.h"
 #include "tests/compare/pictures.h"
 

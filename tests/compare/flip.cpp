@@ -1,5 +1,4 @@
-// Facts about FLIP: values on which two other implementations agree, and properties
-// that hold for all pictures.
+// Facts about FLIP: values on which two other implementations agree, and general properties.
 #include "tools/compare/flip.h"
 
 #include "common/util/error.h"

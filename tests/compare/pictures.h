@@ -1,5 +1,4 @@
-// Pictures for the checks of the comparison: one without any symmetry, with noise,
-// and after a file round trip.
+// Pictures for the checks of the comparison: without symmetry, with noise, after a file round trip.
 #pragma once
 
 #include "tools/compare/explain.h"

@@ -1,5 +1,6 @@
-// What the fuzz targets share. A target accepts any bytes: it may reject them with an Error of one line, and
-// must keep every promise of the code that it calls; any other outcome is a finding.
+// What the fuzz targets share.
+// A target accepts any bytes: it may reject them with an Error of one line, and must keep every promise of
+// the code that it calls; any other outcome is a finding.
 #pragma once
 
 #include "common/util/error.h"

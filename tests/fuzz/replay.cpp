@@ -1,5 +1,5 @@
-// test_fuzz TARGET FOLDER...: feeds each file of the folders to a target. Needs no
-// libFuzzer; finds nothing new.
+// test_fuzz TARGET FOLDER...: feeds each file of the folders to a target.
+// It needs no libFuzzer and finds nothing new.
 #include "tests/fuzz/fuzz.h"
 
 #include <algorithm>

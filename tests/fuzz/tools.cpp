@@ -1,5 +1,4 @@
-// Fuzz targets for the project's own files: the catalogue of mistakes, and the inputs
-// of the tutor and the weaver.
+// Fuzz targets for the project's own files: the catalogue, and the inputs of tutor and weaver.
 #include "tests/fuzz/fuzz.h"
 #include "tools/tutor/catalogue.h"
 #include "tools/tutor/compile.h"

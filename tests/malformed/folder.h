@@ -1,5 +1,4 @@
-// A temporary folder for files that a check creates, mostly malformed ones, and the
-// capture of error messages.
+// A temporary folder for the files of a check, mostly malformed ones, and capture of errors.
 #pragma once
 
 #include "common/util/error.h"

@@ -1,5 +1,4 @@
-// Facts about ./learn watch in its own terminal: it restores the terminal, and files
-// may disappear for a moment.
+// Facts about ./learn watch: it restores the terminal, and files may disappear for a moment.
 #include "tests/tutor/folder.h"
 #include "tools/tutor/watch.h"
 

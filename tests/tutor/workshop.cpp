@@ -1,5 +1,4 @@
-// Facts about the workshop: stubs never overwrite files, removed files are kept, and
-// status shows the progress.
+// Facts about the workshop: stubs never overwrite, removed files are kept, status shows the progress.
 #include "tools/tutor/workshop.h"
 
 #include "common/util/error.h"

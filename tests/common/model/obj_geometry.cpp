@@ -1,5 +1,6 @@
-// Facts about the geometry of OBJ files: distant origins, extreme sizes, winding against normals, colours,
-// smoothing groups, lines that are ignored in part, and independence from chunk sizes.
+// Facts about the geometry of OBJ files.
+// Distant origins, extreme sizes, winding against normals, colours, smoothing groups, lines that are ignored
+// in part, and independence from chunk sizes.
 #include "common/util/error.h"
 #include "common/model/obj_file.h"
 #include "tests/check.h"
