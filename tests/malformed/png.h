@@ -41,7 +41,7 @@ inline std::string zeros(int runs) {
     std::string bytes("\x78\x01", 2);
     unsigned pending = 0;
     int count = 0;
-    const auto add = [&](unsigned value, int bits) { // Huffman codes begin with their lowest bit
+    const auto add = [&](unsigned value, int bits) { // a Huffman code's first bit goes to the lowest position
         for (int i = bits - 1; i >= 0; --i) {
             pending |= (value >> i & 1) << count % 8;
             if (++count % 8 == 0) bytes += char(std::exchange(pending, 0));
