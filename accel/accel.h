@@ -20,9 +20,9 @@ struct TriangleMesh {
     std::span<const std::array<std::uint32_t, 3>> triangles;
 };
 
-/// Builds the tree over the triangles of all meshes, at most 2^29, which are numbered from 0 on through all
-/// of them. The tree holds copies. It is the same on any number of threads (set_thread_count() of
-/// common/util/parallel.h).
+/// Builds the tree over the triangles of all meshes, at most 2^29, numbered from 0
+/// through all of them. The tree holds copies. It is the same on any number of threads
+/// (see set_thread_count() of common/util/parallel.h).
 TriangleBvh build_triangle_bvh(std::span<const TriangleMesh> meshes);
 TriangleBvh build_triangle_bvh(const TriangleMesh& mesh);
 
@@ -50,8 +50,7 @@ std::optional<Hit> closest_hit(const WideBvh<Block>& bvh, RayLike auto ray) {
     return closest.primitive == invalid_index ? std::nullopt : std::optional(closest);
 }
 
-/// Returns whether the ray hits anything in its interval, sooner than closest_hit() finds what: for shadow
-/// rays.
+/// Returns whether the ray hits anything in its interval. Faster than closest_hit(): for shadow rays.
 template <typename Counters = NoCounters, typename Block>
 bool any_hit(const WideBvh<Block>& bvh, const RayLike auto& ray) {
     return any_hit<Counters>(bvh, ray, [&](const Block& block, std::size_t lane) {

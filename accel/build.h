@@ -89,7 +89,7 @@ struct BinaryBuilder {
         node.children = arena.allocate_pair();
         const auto ranges = depth >= 48 ? split_in_half(range, from, to)
                             : range.count() < 64
-                                ? split<8>(range, from, to) // half the bins do as well for few
+                                ? split<8>(range, from, to) // half the bins suffice for few primitives
                                 : split<16>(range, from, to);
         const auto costs = build_children(node, range, ranges, 1 - side, depth + 1, arena);
         return collapse_cost(node, costs[0], costs[1]);

@@ -21,7 +21,7 @@ inline std::optional<ExactHit> exact_hit(const std::array<vec3, 3>& vertices, co
     const dvec3 p = cross(direction, edge_c), t_vec = dvec3(ray.origin) - a, q = cross(t_vec, edge_b);
     const double determinant = dot(edge_b, p), numerator = dot(edge_c, q);
     if (numerator * determinant <= 0)
-        return std::nullopt; // behind the ray, as the triangle that it starts from
+        return std::nullopt; // behind the origin, or the triangle that the ray starts on
     const double inverse_determinant = 1 / determinant;
     double t = numerator * inverse_determinant;
     if (!in_interval(ray, float(t))) return std::nullopt;
@@ -39,8 +39,8 @@ inline std::optional<ExactHit> exact_hit(const std::array<vec3, 3>& vertices, co
 }
 
 /// Returns the smallest t in the ray's interval with |O + tD - C|^2 = r^2, which is a t^2 - 2 h t + c = 0.
-/// The roots are q/a and c/q: neither subtracts two nearly equal numbers (Press et al., Numerical Recipes,
-/// 5.6).
+/// The roots are q/a and c/q: neither subtracts two nearly equal numbers (Press et al.,
+/// Numerical Recipes, section 5.6).
 inline std::optional<ExactHit> exact_hit(const Sphere& sphere, const RayLike auto& ray) {
     const dvec3 to_center = dvec3(sphere.center) - dvec3(ray.origin), direction(ray.direction);
     const double radius = sphere.radius;

@@ -17,8 +17,8 @@ struct Candidates {
     unsigned maybe, certain;
 };
 
-/// A ray prepared for the watertight triangle test: sheared so that it runs along axis z, which is the axis
-/// on which it is fastest. x and y are the other two.
+/// A ray prepared for the watertight triangle test: sheared so that it runs along axis z, the axis of its
+/// largest direction component. x and y are the other two.
 struct WatertightRay {
     int x, y, z;
     FloatN origin_x, origin_y, origin_z;

@@ -26,9 +26,9 @@ inline float half_area(const Bounds4& bounds) {
     return size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
 }
 
-/// The bounds of a primitive. Lane 3 of `min` holds its index as raw bits, below 2^30. Bit 30 is set so that
-/// the pattern is a normal float: arithmetic on the whole register stays fast. The value of that lane is
-/// never used.
+/// The bounds of a primitive. Lane 3 of `min` holds its index as raw bits, below 2^30. Bit 30 is set
+/// so that the pattern is a normal float: arithmetic on the whole register stays fast. The value of
+/// that lane is never used.
 struct PrimRef {
     Float4 min, max;
 };

@@ -1,6 +1,6 @@
-// SIMD vectors: as many numbers as a register of the machine holds, computed with one instruction. GCC and
-// Clang know vectors of any machine: 16 floats with AVX-512, 8 with AVX, 4 with SSE or NEON; elsewhere 4
-// plain numbers.
+// SIMD vectors: as many numbers as a register of the machine holds, computed with one instruction.
+// GCC and Clang provide vectors for every machine: 16 floats with AVX-512, 8 with AVX, 4 with SSE or
+// NEON; elsewhere 4 scalars.
 #pragma once
 
 #include <bit>
@@ -33,8 +33,8 @@ inline FloatN broadcast(float value) {
     return value - FloatN{}; // not plus, which would have to turn -0 into 0
 }
 
-/// Per lane, of vectors of any width. If one operand is NaN, the result is the second: pass the one that must
-/// survive last.
+/// Per lane, of vectors of any width. If one operand is NaN, the result is the second: pass the one
+/// that must survive last.
 template <typename Vector>
 Vector min(Vector a, Vector b) {
     return a < b ? a : b;

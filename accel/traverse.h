@@ -87,9 +87,9 @@ void closest_hit(const WideBvh<Block>& bvh, const AnyRay& ray, Test&& test) {
     }
 }
 
-/// Returns whether the ray hits any primitive; test(block, lane) decides where the block is not certain. The
-/// order of the children does not matter here, so the stack holds a node and the mask of its children that
-/// are left.
+/// Returns whether the ray hits any primitive; test(block, lane) decides where the block is not certain.
+/// The order of the children does not matter here, so the stack holds a node and the mask of its
+/// children that are left.
 template <typename Counters = NoCounters, typename Block, RayLike AnyRay, typename Test>
 bool any_hit(const WideBvh<Block>& bvh, const AnyRay& ray, Test&& test) {
     struct MaskEntry {

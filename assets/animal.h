@@ -1,4 +1,4 @@
-// What an animal is here: a shape grown from simple bodies, and a hide painted in space.
+// An animal: a smooth shape built from simple bodies, and a hide painted in space.
 #pragma once
 
 #include "assets/bake.h"
@@ -9,21 +9,21 @@
 
 namespace rt::assets {
 
-/// About one unit tall, standing on y = 0, looking to +x; its right side is at +z.
+/// An animal about one unit tall, standing on y = 0 and facing +x; its right side is at +z.
 struct Animal {
     std::string name;
     Box bounds;
     Distance shape;
     PaintFunction hide;
-    Colour ground; ///< of the texture, between the charts
+    Colour ground; ///< texture colour between the charts
 };
 
-/// The same point on the animal's right half: most parts come in pairs.
+/// Returns the point mirrored to the animal's right half: most parts come in pairs.
 inline dvec3 mirrored(dvec3 point) {
     return {point.x, point.y, std::abs(point.z)};
 }
 
-/// A part's own coordinates: `right`, `up` and `forward` are orthonormal.
+/// The local coordinates of a part: `right`, `up` and `forward` are orthonormal.
 struct Frame {
     dvec3 origin, right, up, forward;
 
@@ -36,7 +36,7 @@ struct Frame {
     }
 };
 
-/// A disc or ellipse around `centre` in the plane, as a signed distance.
+/// Returns the signed distance to an ellipse around `centre` in the plane, to first order.
 inline double ellipse(dvec2 point, dvec2 centre, dvec2 radii) {
     return ellipsoid({point, 0}, {centre, 0}, {radii, 1});
 }

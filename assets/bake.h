@@ -1,4 +1,4 @@
-// Bakes a colour that is given everywhere in space into the texture of an unwrapped mesh.
+// Bakes a colour function of space into the texture of an unwrapped mesh.
 #pragma once
 
 #include "assets/picture.h"
@@ -9,7 +9,7 @@ namespace rt::assets {
 
 using PaintFunction = std::function<Colour(dvec3 point)>;
 
-/// A picture that knows which of its texels have been painted.
+/// An image, and which of its texels have been painted.
 struct Canvas {
     Picture picture;
     std::vector<bool> painted;
@@ -22,7 +22,7 @@ struct Canvas {
     }
 };
 
-/// Paints every texel whose centre lies in the triangle, with the colour of the surface point it shows.
+/// Paints every texel whose centre is in the triangle with the colour of the surface point that it shows.
 inline void bake_triangle(Canvas& canvas, const Mesh& mesh, const Triangle& triangle,
                           const PaintFunction& paint) {
     const dvec2 size(canvas.picture.width, canvas.picture.height);
@@ -51,7 +51,7 @@ inline void bake_triangle(Canvas& canvas, const Mesh& mesh, const Triangle& tria
         }
 }
 
-/// Lets the paint run outward by one texel, so that bilinear lookups at a border never see the ground.
+/// Extends the painted area by one texel, so that bilinear lookups at a border never read the ground colour.
 inline void dilate(Canvas& canvas) {
     const Canvas before = canvas;
     for (int y = 0; y < canvas.picture.height; ++y)

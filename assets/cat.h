@@ -1,4 +1,4 @@
-// The cat: it sits, smiles, and curls its tail; ginger tabby with cream chest and paws.
+// The cat: sitting, smiling, with a curled tail; a ginger tabby with cream chest and paws.
 #pragma once
 
 #include "assets/animal.h"
@@ -36,7 +36,7 @@ inline double body(dvec3 m) {
     return smooth_union(shape, paws(m), 0.03);
 }
 
-/// A cone pressed flat, in the ear's own coordinates: across, along, toward the front, where it is hollow.
+/// A flattened cone in the ear's local coordinates (across, along, toward the front), hollow in front.
 inline double ear(dvec3 m) {
     const dvec3 q = ear_frame.to_local(m) * dvec3(1, 1, 1.25);
     const double leaf = cone(q, dvec3(0), {0, 0.15, 0}, 0.105, 0.034);
@@ -60,7 +60,7 @@ inline double head(dvec3 m) {
     return smooth_union(shape, ellipsoid(m, nose_centre, nose_radii), 0.025);
 }
 
-/// A band around the neck, and a round tag in front.
+/// A band around the neck.
 inline double collar(dvec3 point) {
     const dvec3 q = point - collar_centre;
     return ellipse({length(dvec2(q.x, q.z)), q.y}, {0.135, 0}, {0.034, 0.03});
@@ -82,8 +82,8 @@ inline double shape(dvec3 point) {
     return smooth_intersection(shape, -point.y, 0.02);
 }
 
-/// Bands across a coordinate: negative in a stripe. `share` of each period is stripe; where it falls to 0 or
-/// below, stripes run out to a point.
+/// Returns the signed distance to stripes along a coordinate, negative inside. `share` is the fraction of
+/// each period that is stripe; where it falls to 0 or below, stripes taper to a point.
 inline double stripes(double along, double period, double share) {
     const double phase = along / period - std::floor(along / period);
     return (std::abs(phase - 0.5) - share / 2) * period;
@@ -99,8 +99,8 @@ inline double beyond(double value, double limit) {
     return std::max(value - limit, 0.0);
 }
 
-/// Stripes around the back, along the crown and across the cheeks; each kind tapers where its part of the
-/// body ends.
+/// Returns the signed distance to the stripes around the back, along the crown and across the cheeks. Each
+/// kind tapers where its part of the body ends.
 inline double coat_stripes(dvec3 point) {
     if (tail(point) < 0.005) return tail_rings(point);
     const dvec3 m = mirrored(point);
@@ -119,12 +119,13 @@ inline double inner_ear(dvec3 m) {
     return std::max({triangle, -q.z, ear(m) - 0.01});
 }
 
-/// The part of the neck between two planes: the band's borders stay straight where the mesh is coarse.
+/// The part of the neck between two planes, so that the band's borders stay straight
+/// where the mesh is coarse.
 inline double collar_band(dvec3 point) {
     return std::max(std::abs(point.y - collar_centre.y) - 0.03, collar(point) - 0.03);
 }
 
-/// Rim, iris, a wide slit of a pupil, two reflections.
+/// Paints the rim, the iris, a wide slit pupil, and two reflections.
 inline Colour paint_eye(Colour colour, dvec3 point) {
     const dvec3 q = eye_frame.to_local(mirrored(point));
     if (q.z < -0.05) return colour;
@@ -138,7 +139,7 @@ inline Colour paint_eye(Colour colour, dvec3 point) {
     return over(colour, hex(0xffffff), ellipse(flat, shine, {0.016, 0.017}), 0.002);
 }
 
-/// Below the nose a short line, then an arc to either side; beside them the roots of the whiskers.
+/// The mouth: a short line below the nose, an arc to either side, and the roots of the whiskers.
 inline double mouth(dvec3 m) {
     const dvec2 face(m.z, m.y);
     const double line = std::max(m.z - 0.005, std::abs(m.y - 0.697) - 0.020);

@@ -49,7 +49,7 @@ inline double body(dvec3 m) {
     return smooth_union(shape, udder(m), 0.04);
 }
 
-/// A leaf in the ear's own coordinates, across, along, and toward the front, where it is hollow.
+/// A leaf shape in the ear's local coordinates (across, along, toward the front), hollow in front.
 inline double ear(dvec3 m) {
     const dvec3 q = ear_frame.to_local(m);
     const double leaf = ellipsoid(q, dvec3(0), {0.082, 0.155, 0.05});
@@ -100,7 +100,7 @@ struct Blot {
     double radius;
 };
 
-/// Big blots at chosen places, with borders that noise makes irregular.
+/// Large blots at chosen places, with irregular borders from noise.
 inline double spots(dvec3 point) {
     constexpr std::array<Blot, 10> blots{{
         // clang-format off
@@ -121,12 +121,13 @@ inline double inner_ear(dvec3 m) {
     return std::max({ellipse({q.x, q.y}, {0, 0.008}, {0.052, 0.112}), -q.z, ear(m) - 0.01});
 }
 
-/// The part of the neck between two planes: the band's borders stay straight where the mesh is coarse.
+/// The part of the neck between two planes, so that the band's borders stay straight
+/// where the mesh is coarse.
 inline double collar_band(dvec3 point) {
     return std::max(std::abs(collar_frame.to_local(point).z) - 0.038, collar(point) - 0.03);
 }
 
-/// Lashes, white, iris, pupil, a bright and a faint reflection.
+/// Paints the lashes, white, iris and pupil, and a bright and a faint reflection.
 inline Colour paint_eye(Colour colour, dvec3 point) {
     const dvec3 q = eye_frame.to_local(mirrored(point));
     if (q.z < 0) return colour;
@@ -150,7 +151,7 @@ inline Colour paint_muzzle(Colour colour, dvec3 point) {
     return over(colour, lips, std::max(smile, m.z - 0.115), 0.003);
 }
 
-/// Brass with a raised band around it, and below that a slit that ends in a hole.
+/// Paints the bell: brass with a raised band, and below that a slit that ends in a hole.
 inline Colour paint_bell(Colour colour, dvec3 point) {
     const dvec3 q = point - bell_centre;
     const double slit = std::max(std::abs(q.z) - 0.006, std::abs(q.y + 0.045) - 0.022);

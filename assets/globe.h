@@ -1,5 +1,6 @@
-// A map of a planet that does not exist, equirectangular: u runs eastward around it, v from the south to the
-// north pole. All is evaluated on the sphere in space: no seam at the date line, no pinching at the poles.
+// An equirectangular map of an invented planet.
+// u runs eastward, v from the south to the north pole. The colour is evaluated on the sphere in space, so
+// there is no seam at the date line and no pinching at the poles.
 #pragma once
 
 #include "assets/noise.h"
@@ -10,7 +11,7 @@
 
 namespace rt::assets {
 
-/// Colours at rising values; between two stops they blend.
+/// A colour at a value; stops are in ascending order, and colours between two stops are blended.
 struct Stop {
     double value;
     Colour colour;
@@ -26,20 +27,22 @@ Colour ramp(const std::array<Stop, count>& stops, double value) {
     return colour;
 }
 
-/// y to the north pole; seen from above it, longitudes grow counter-clockwise, eastward.
+/// Returns a point on the unit sphere. The north pole is at +y; seen from above it,
+/// longitude grows counter-clockwise, eastward.
 inline dvec3 on_sphere(double longitude, double latitude) {
     return {std::cos(latitude) * std::cos(longitude), std::sin(latitude),
             -std::cos(latitude) * std::sin(longitude)};
 }
 
-/// Above 0 is land. The place is shifted by noise before the noise is read: coasts get bays and capes.
+/// Returns the height of the terrain; land is above 0. The position is shifted by noise before the noise is
+/// read, which gives coasts bays and capes.
 inline double terrain(dvec3 place) {
     const dvec3 shift(noise(2.5 * place + 10.0), noise(2.5 * place + 20.0), noise(2.5 * place + 30.0));
     return fractal_noise(1.7 * place + 0.35 * shift + dvec3(4.2, 1.3, 7.7), 7) - 0.07;
 }
 
-/// Wet at the equator, dry at the horse latitudes (about 28 degrees), wet again beyond; noise blurs the
-/// belts.
+/// Returns the colour of land: wet at the equator, dry at the horse latitudes (about 28 degrees), wet again
+/// beyond. Noise blurs the belts.
 inline Colour land_colour(dvec3 place, double height, double latitude) {
     constexpr std::array<Stop, 4> dampness{
         {{-0.5, hex(0xe5c98a)}, {-0.1, hex(0xc9bd6d)}, {0.15, hex(0x7fa650)}, {0.5, hex(0x3c7a3f)}}};
@@ -67,7 +70,7 @@ inline Colour globe_colour(double longitude, double latitude) {
     return mix(colour, hex(0xf4f8fb), glm::smoothstep(71.0, 74.0, cold));
 }
 
-/// 1 on the lines of a 30 degree net, 0 elsewhere; about a texel wide.
+/// Returns 1 on the lines of a 30 degree grid, 0 elsewhere; lines are about a texel wide.
 inline double graticule(double u, double v, dvec2 size) {
     const auto line = [](double share, int parts, double texels) {
         const double nearest = std::abs(share * parts - std::round(share * parts)) / parts;

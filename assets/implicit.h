@@ -1,5 +1,5 @@
-// Shapes as signed distances (negative inside), and the smooth union that lets them grow together like clay.
-// The distances need not be exact: the polygoniser only asks where they are zero and which way they grow.
+// Shapes as signed distances (negative inside), and the smooth union that blends them.
+// The distances need not be exact: the polygoniser only uses where they are zero and their gradient.
 #pragma once
 
 #include "assets/mesh.h"
@@ -16,25 +16,26 @@ inline double sphere(dvec3 point, dvec3 centre, double radius) {
     return distance(point, centre) - radius;
 }
 
-/// (|q| - 1) / |gradient of |q||, q = (point - centre) / radii: a distance to first order.
+/// Returns the distance to an ellipsoid to first order: (|q| - 1) / |gradient of |q||, q =
+/// (point - centre) / radii.
 inline double ellipsoid(dvec3 point, dvec3 centre, dvec3 radii) {
     const dvec3 scaled = (point - centre) / radii;
-    const double slope = std::max(length(scaled / radii), 1e-9); // 0 in the very centre
+    const double slope = std::max(length(scaled / radii), 1e-9); // 0 at the centre
     return length(scaled) * (length(scaled) - 1) / slope;
 }
 
-/// The share of the way from a to b, in [0, 1], at which the segment passes `point`.
+/// Returns the parameter in [0, 1] of the point of the segment from a to b that is closest to `point`.
 inline double share_along(dvec3 point, dvec3 a, dvec3 b) {
     return std::clamp(dot(point - a, b - a) / dot(b - a, b - a), 0.0, 1.0);
 }
 
-/// A capsule whose radius goes from `radius_a` to `radius_b`.
+/// Returns the signed distance to a capsule whose radius changes linearly from `radius_a` to `radius_b`.
 inline double cone(dvec3 point, dvec3 a, dvec3 b, double radius_a, double radius_b) {
     const double share = share_along(point, a, b);
     return distance(point, mix(a, b, share)) - glm::mix(radius_a, radius_b, share);
 }
 
-/// A tube along a cubic Bezier curve whose radius goes from `radius_begin` to `radius_end`.
+/// A tube along a cubic Bezier curve, whose radius changes linearly from `radius_begin` to `radius_end`.
 struct Tube {
     std::array<dvec3, 4> points;
     double radius_begin, radius_end;
@@ -48,11 +49,11 @@ struct Tube {
 };
 
 struct TubePlace {
-    double share;    ///< of the way along the tube
-    double distance; ///< from its surface
+    double share;    ///< parameter along the tube, in [0, 1]
+    double distance; ///< signed distance from its surface
 };
 
-/// The place on the tube nearest to `point`; the tube is a chain of cones.
+/// Returns the place on the tube closest to `point`. The tube is approximated by a chain of cones.
 inline TubePlace nearest_on(const Tube& tube, dvec3 point) {
     constexpr int links = 14;
     TubePlace nearest{0, 1e9};
@@ -83,7 +84,7 @@ inline double smooth_difference(double a, double b, double width) {
     return smooth_intersection(a, -b, width);
 }
 
-/// Central differences over 2 h. A larger h smooths creases.
+/// Returns the gradient by central differences over 2 h. A larger h smooths creases.
 inline dvec3 gradient(const Distance& shape, dvec3 point, double h) {
     const dvec3 x(h, 0, 0), y(0, h, 0), z(0, 0, h);
     const dvec3 rise(shape(point + x) - shape(point - x), shape(point + y) - shape(point - y),
@@ -91,7 +92,7 @@ inline dvec3 gradient(const Distance& shape, dvec3 point, double h) {
     return rise / (2 * h);
 }
 
-/// Newton's method along the gradient: the point of the surface near `point`.
+/// Returns a point of the surface near `point`, by Newton's method along the gradient.
 inline dvec3 project_to_surface(const Distance& shape, dvec3 point) {
     for (int step = 0; step < 4; ++step) {
         const dvec3 slope = gradient(shape, point, 1e-5);

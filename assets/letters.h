@@ -1,4 +1,4 @@
-// A small alphabet of pen strokes, for writing into pictures.
+// A small alphabet of pen strokes, for text in images.
 #pragma once
 
 #include "assets/implicit.h"
@@ -10,8 +10,8 @@
 
 namespace rt::assets {
 
-/// Each glyph is a few strokes, parted by spaces; a stroke is a row of points, two digits each: x in 0..4 to
-/// the right, y in 0..6 upward.
+/// Returns a glyph as strokes separated by spaces. A stroke is a sequence of points with two digits each: x
+/// in 0..4 to the right, y in 0..6 upward.
 inline std::string_view glyph(char letter) {
     // clang-format off
     static const std::map<char, std::string_view> glyphs{
@@ -32,8 +32,8 @@ inline std::string_view glyph(char letter) {
     return found == glyphs.end() ? std::string_view() : found->second;
 }
 
-/// Where a line of text stands: the left end of its base line in pixels (y down), and the height of its
-/// capitals.
+/// The position and size of a line of text: the left end of its baseline in pixels (y down), the height of
+/// its capitals, and the pen.
 struct TextStyle {
     dvec2 at;
     double height;
@@ -44,7 +44,8 @@ inline double segment(dvec2 point, dvec2 a, dvec2 b, double half_width) {
     return cone({point, 0}, {a, 0}, {b, 0}, half_width, half_width);
 }
 
-/// The signed distance to the written text; letters are 4/6 as wide as high, the gap is a third of that.
+/// Returns the signed distance to the text. Letters are 4/6 as wide as they are high; the gap
+/// is 1.6/6 of the height.
 inline double text_distance(dvec2 point, std::string_view text, const TextStyle& style) {
     const double unit = style.height / 6;
     double nearest = 1e9;

@@ -1,4 +1,4 @@
-// Makes every picture and model that the scenes use, the same bytes on each run.
+// Makes every model and texture that the scenes use; each run writes the same bytes.
 #include "assets/cat.h"
 #include "assets/cow.h"
 #include "assets/globe.h"
@@ -45,25 +45,27 @@ void make_all(const fs::path& folder) {
 }
 
 int run(int argc, char** argv) {
-    CLI::App app("Makes the models and pictures of the Raysteps scenes.");
+    CLI::App app("Makes the models and textures of the Raysteps scenes.");
     app.require_subcommand(1);
     app.set_version_flag("--version", version());
     std::string out;
     int density = 6, triangles = 6000;
 
-    CLI::App& all = *app.add_subcommand("all", "The small set that the repository holds.");
+    CLI::App& all = *app.add_subcommand("all", "Makes the small set that is committed to the repository.");
     all.add_option("--out", out, "Folder to write to")->required()->check(CLI::ExistingDirectory);
 
-    CLI::App& teapot = *app.add_subcommand("teapot", "The Utah teapot at any density.");
+    CLI::App& teapot = *app.add_subcommand("teapot", "Makes the Utah teapot at any density.");
     teapot.add_option("--density", density, "Quads along each side of the 32 patches")
         ->check(CLI::Range(2, 2000));
-    teapot.add_option("--out", out, "The .obj file")->required();
+    teapot.add_option("--out", out, "The .obj file to write")->required();
 
     const auto add_animal = [&](const Animal& animal) -> CLI::App& {
         CLI::App& command =
-            *app.add_subcommand(animal.name, "The " + animal.name + ", with its painted hide.");
-        command.add_option("--triangles", triangles, "About how many")->check(CLI::Range(4000, 1000000));
-        command.add_option("--out", out, "The .obj file; its .mtl and .png go beside it")->required();
+            *app.add_subcommand(animal.name, "Makes the " + animal.name + " with its texture.");
+        command.add_option("--triangles", triangles, "Approximate number of triangles")
+            ->check(CLI::Range(4000, 1000000));
+        command.add_option("--out", out, "The .obj file to write; its .mtl and .png go beside it")
+            ->required();
         return command;
     };
     const CLI::App& cow = add_animal(cow::animal);

@@ -1,4 +1,4 @@
-// A triangle mesh as the generators hand it on, in double precision, before it is rounded into an OBJ file.
+// A triangle mesh in double precision, as the generators produce it for the OBJ writer.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -13,20 +13,21 @@ using glm::dvec3;
 using glm::ivec2;
 using glm::ivec3;
 
-/// Corners counter-clockwise seen from outside. A vertex on a seam of the texture has one position, many uvs.
+/// A triangle, counter-clockwise seen from outside. A vertex on a texture seam has one
+/// position and several uvs.
 struct Triangle {
-    std::array<int, 3> vertex{}; ///< indices into positions and normals alike
+    std::array<int, 3> vertex{}; ///< indices into both positions and normals
     std::array<int, 3> uv{};     ///< indices into uvs
 };
 
 struct Mesh {
     std::vector<dvec3> positions;
-    std::vector<dvec3> normals; ///< unit length, outward, one a position
-    std::vector<dvec2> uvs;     ///< v = 0 is the bottom row of the picture, as OBJ has it
+    std::vector<dvec3> normals; ///< unit length, outward, one per position
+    std::vector<dvec2> uvs;     ///< v = 0 is the bottom row of the texture, as in OBJ
     std::vector<Triangle> triangles;
 };
 
-/// Twice the triangle's area, along its outward side.
+/// Returns the outward vector whose length is twice the triangle's area.
 inline dvec3 area_vector(const Mesh& mesh, const Triangle& triangle) {
     const dvec3 a = mesh.positions[triangle.vertex[0]];
     return cross(mesh.positions[triangle.vertex[1]] - a, mesh.positions[triangle.vertex[2]] - a);

@@ -1,4 +1,4 @@
-// Smooth random numbers in space, for whatever should look grown: borders of spots, coastlines, sand.
+// Smooth noise in space, for irregular shapes: borders of spots, coastlines, sand.
 #pragma once
 
 #include "assets/mesh.h"
@@ -8,7 +8,8 @@
 
 namespace rt::assets {
 
-/// A vector in [-1, 1]^3 for each point of the integer lattice: 32-bit mixing (the finaliser of MurmurHash3).
+/// Returns a vector in [-1, 1]^3 for a point of the integer lattice, by 32-bit mixing
+/// (the finaliser of MurmurHash3).
 inline dvec3 lattice_vector(ivec3 at) {
     const glm::uvec3 spread = glm::uvec3(at) * glm::uvec3(73856093u, 19349663u, 83492791u);
     std::uint32_t bits = spread.x ^ spread.y ^ spread.z;
@@ -18,8 +19,8 @@ inline dvec3 lattice_vector(ivec3 at) {
     return dvec3(bits & 1023, (bits >> 10) & 1023, (bits >> 20) & 1023) / 511.5 - 1.0;
 }
 
-/// Gradient noise (Perlin 1985): around each corner of a cell a slope of its own, blended with weights
-/// 3 t^2 - 2 t^3. Smooth, about -1 to 1, features about one unit wide.
+/// Gradient noise (Perlin 1985): each corner of a cell has its own gradient, and they are blended with
+/// weights 3 t^2 - 2 t^3. Smooth, about -1 to 1, with features about one unit wide.
 inline double noise(dvec3 point) {
     const dvec3 cell = glm::floor(point);
     const dvec3 weight = glm::smoothstep(dvec3(0), dvec3(1), point - cell);
@@ -33,7 +34,8 @@ inline double noise(dvec3 point) {
     return 1.5 * sum;
 }
 
-/// Octaves of half the size and half the height each. The shift keeps their lattices apart.
+/// Returns a sum of octaves, each half the size and half the amplitude of the one before. The
+/// shift decorrelates their lattices.
 inline double fractal_noise(dvec3 point, int octaves) {
     double sum = 0, height = 0.5;
     for (int octave = 0; octave < octaves; ++octave) {

@@ -1,4 +1,4 @@
-// Meshes to a Wavefront OBJ file, piece after piece, so that ten million triangles need little memory.
+// Writes meshes to a Wavefront OBJ file in pieces, so that ten million triangles need little memory.
 #pragma once
 
 #include "assets/mesh.h"
@@ -10,21 +10,21 @@
 
 namespace rt::assets {
 
-/// ` value` with at most `digits` decimals and no trailing zeros. Rounds to a whole number first, so that
-/// every compiler prints the same text, and 0 never carries a sign.
+/// Appends a space and `value` with at most `digits` decimals and no trailing zeros. The value is scaled and
+/// rounded to a whole number first, so that every compiler prints the same text and 0 never has a sign.
 inline void append_number(std::string& text, double value, int digits) {
     const long scale = std::lround(std::pow(10.0, digits));
     const long scaled = std::lround(value * double(scale));
     const std::string fraction = std::to_string(std::abs(scaled) % scale + scale).substr(1);
     text += scaled < 0 ? " -" : " ";
     text += std::to_string(std::abs(scaled) / scale);
-    const std::size_t kept = fraction.find_last_not_of('0') + 1; // npos + 1 = 0: nothing but zeros
+    const std::size_t kept = fraction.find_last_not_of('0') + 1; // npos + 1 = 0: all zeros
     if (kept > 0) text.append(".").append(fraction, 0, kept);
 }
 
 class ObjWriter {
   public:
-    /// `model.obj` names its one material in `model.mtl` beside it.
+    /// `model.obj` refers to its only material in `model.mtl` beside it.
     explicit ObjWriter(const std::string& path) : file(path) {
         const std::string name = std::filesystem::path(path).stem().string();
         file.write("# " + name + ", made by make_assets\nmtllib " + name + ".mtl\nusemtl " + name + "\n");
@@ -64,7 +64,7 @@ class ObjWriter {
     long first_uv = 1;
 };
 
-/// One white material that shows the picture `texture` as it is; plain pale clay where there is none.
+/// Writes a file with one material: white with the texture `texture`, or plain pale clay if that is empty.
 inline void write_mtl(const std::string& path, const std::string& texture) {
     const std::string name = std::filesystem::path(path).stem().string();
     OutputFile file(path);

@@ -1,4 +1,4 @@
-// A file that appears whole or not at all: written under a temporary name, then renamed.
+// A file that is written completely or not at all: under a temporary name, then renamed.
 #pragma once
 
 #include "common/util/error.h"
@@ -30,7 +30,7 @@ class OutputFile {
             throw Error("cannot write '" + temporary + "': is the disk full?");
     }
 
-    /// The file takes its name here; one that is never finished is removed again.
+    /// Renames the file to its final name. A file that is never finished is removed.
     void finish() {
         const bool closed = std::fclose(file) == 0;
         file = nullptr;

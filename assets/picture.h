@@ -1,4 +1,4 @@
-// A picture of 8-bit sRGB bytes, what one paints with, and the way to a PNG file.
+// An image of 8-bit sRGB values, functions for painting on it, and a PNG writer.
 #pragma once
 
 #include "assets/mesh.h"
@@ -13,15 +13,15 @@
 
 namespace rt::assets {
 
-/// sRGB, 0 to 255 each: colours are chosen and mixed by eye, as in a paint program.
+/// An sRGB colour, 0 to 255 per channel: colours are chosen and mixed by eye, as in a paint program.
 using Colour = dvec3;
 
-/// 0xRRGGBB, as colours are written on the web.
+/// Returns the colour 0xRRGGBB, as written on the web.
 constexpr Colour hex(int rgb) {
     return {rgb >> 16, (rgb >> 8) & 255, rgb & 255};
 }
 
-/// Row by row from the top left.
+/// An image, row by row from the top left.
 struct Picture {
     int width, height;
     std::vector<Colour> pixels;
@@ -32,7 +32,8 @@ struct Picture {
     Colour& operator()(int x, int y) { return pixels[std::size_t(y) * std::size_t(width) + std::size_t(x)]; }
 };
 
-/// `paint` over `ground` where `distance` is negative; the border fades over 2 * `softness`.
+/// Returns `paint` where `distance` is negative, and `ground` elsewhere; the border
+/// fades over 2 * `softness`.
 inline Colour over(Colour ground, Colour paint, double distance, double softness) {
     return mix(ground, paint, glm::smoothstep(softness, -softness, distance));
 }

@@ -1,7 +1,7 @@
-// Surface nets: from a signed distance to a closed triangle mesh of about the size asked for.
-// Gibson 1998, "Constrained Elastic Surface Nets": a vertex in every grid cell that the surface crosses, a
-// quad across every grid edge that it cuts. Where two sheets of surface cross a cell, each has its own
-// vertex.
+// Surface nets: turns a signed distance into a closed triangle mesh of about the requested size.
+// Gibson 1998, "Constrained Elastic Surface Nets": a vertex in every grid cell that the surface
+// crosses, and a quad across every grid edge that it cuts. Where two sheets of the surface cross a
+// cell, each has its own vertex.
 #pragma once
 
 #include "assets/implicit.h"
@@ -16,7 +16,7 @@ struct Box {
     dvec3 low, high;
 };
 
-/// Calls `visit` for the grid points from `first` up to, but without, `last`.
+/// Calls `visit` for the grid points from `first` to `last`, exclusive.
 template <class Visit>
 void for_each_point(ivec3 first, ivec3 last, const Visit& visit) {
     for (int z = first.z; z < last.z; ++z)
@@ -25,7 +25,7 @@ void for_each_point(ivec3 first, ivec3 last, const Visit& visit) {
 }
 
 /// The signed distance sampled at the corners of a grid of cubic cells. The origin is a corner, so that a
-/// shape that is symmetric there gets a symmetric mesh.
+/// symmetric shape gets a symmetric mesh.
 class SampledGrid {
   public:
     SampledGrid(const Distance& shape, const Box& box, double cell_size)
@@ -51,14 +51,14 @@ class SampledGrid {
 
 inline const std::array<ivec3, 3> axes{ivec3(1, 0, 0), ivec3(0, 1, 0), ivec3(0, 0, 1)};
 
-/// Numbers the twelve edges of a cell: 4 * axis + where the edge lies across it. Corners are 0 or 1 along x,
-/// y, z.
+/// Returns the index of one of the twelve edges of a cell: 4 * axis + its position across that axis. Corners
+/// are 0 or 1 along x, y, z.
 inline int edge_index(ivec3 from, ivec3 to) {
     const int axis = from.x != to.x ? 0 : from.y != to.y ? 1 : 2;
     return 4 * axis + from[(axis + 1) % 3] + 2 * from[(axis + 2) % 3];
 }
 
-/// True when some of the cell's corners are inside and some outside.
+/// Returns whether some of the cell's corners are inside and some outside.
 inline bool is_crossed(const SampledGrid& grid, ivec3 cell) {
     int inside = 0;
     for (int corner = 0; corner < 8; ++corner)
@@ -66,11 +66,11 @@ inline bool is_crossed(const SampledGrid& grid, ivec3 cell) {
     return inside != 0 && inside != 8;
 }
 
-using EdgeLabels = std::array<int, 12>; ///< one number an edge of a cell
+using EdgeLabels = std::array<int, 12>; ///< one number per edge of a cell
 
-/// Gives the same label to cut edges of the same sheet. On each face of the cell the outline of the surface
-/// enters at one cut edge and leaves at the next, around corners that lie inside; both cells at the face see
-/// it alike.
+/// Gives the cut edges of the same sheet the same label. On each face of the cell, the outline of the
+/// surface enters at one cut edge and leaves at the next, around corners that are inside; both cells at the
+/// face see it the same way.
 inline EdgeLabels label_sheets(const SampledGrid& grid, ivec3 cell) {
     EdgeLabels sheet;
     std::iota(sheet.begin(), sheet.end(), 0);
@@ -98,8 +98,8 @@ struct QuadMesh {
     std::vector<Quad> quads; ///< counter-clockwise seen from outside
 };
 
-/// Adds a vertex for each sheet in the cell, the mean of the points where the sheet cuts edges, and returns
-/// which vertex belongs to each edge, -1 for edges that are not cut.
+/// Adds a vertex for each sheet in the cell, the mean of the points where the sheet cuts edges. Returns the
+/// vertex of each edge, -1 for edges that are not cut.
 inline EdgeLabels add_cell_vertices(QuadMesh& net, const SampledGrid& grid, ivec3 cell) {
     const EdgeLabels sheet = label_sheets(grid, cell);
     std::array<dvec3, 12> sums{};
@@ -134,7 +134,7 @@ inline QuadMesh surface_net(const SampledGrid& grid) {
         for (int axis = 0; axis < 3; ++axis) {
             const bool from_inside = grid(from) < 0, to_inside = grid(from + axes[axis]) < 0;
             if (from_inside == to_inside) continue;
-            // Of the cell that lies a and b steps back across the edge.
+            // Returns the vertex of the cell that is a and b steps back across the edge.
             const auto vertex = [&](int a, int b) {
                 const ivec3 cell = from - a * axes[(axis + 1) % 3] - b * axes[(axis + 2) % 3];
                 return vertices_of_cell.at(grid.index(cell))[4 * axis + a + 2 * b];
@@ -148,7 +148,7 @@ inline QuadMesh surface_net(const SampledGrid& grid) {
     return net;
 }
 
-/// Evens out the quads: each vertex slides along the surface to the mean of its neighbours.
+/// Evens out the quads: moves each vertex along the surface towards the mean of its neighbours.
 inline void relax(QuadMesh& net, const Distance& shape, double cell) {
     for (int pass = 0; pass < 8; ++pass) {
         std::vector<dvec3> sums(net.positions.size(), dvec3(0));
@@ -168,8 +168,8 @@ inline void relax(QuadMesh& net, const Distance& shape, double cell) {
     }
 }
 
-/// Quads cut along the shorter diagonal. A normal is the mean over the triangles around its vertex, weighted
-/// by area: smooth, and never far from the triangles it shades. No uvs yet.
+/// Splits quads along the shorter diagonal. A normal is the area-weighted mean over the triangles around its
+/// vertex: smooth, and never far from the triangles that it shades. There are no uvs yet.
 inline Mesh triangulate(const QuadMesh& net) {
     Mesh mesh;
     mesh.positions = net.positions;
@@ -186,7 +186,7 @@ inline Mesh triangulate(const QuadMesh& net) {
     return mesh;
 }
 
-/// True when every edge lies between exactly two quads, which run along it in opposite directions.
+/// Returns whether every edge is shared by exactly two quads, which run along it in opposite directions.
 inline bool is_closed(const QuadMesh& net) {
     std::map<std::pair<int, int>, int> uses;
     for (const Quad& quad : net.quads)
@@ -197,8 +197,9 @@ inline bool is_closed(const QuadMesh& net) {
     });
 }
 
-/// The number of triangles grows with 1 / cell^2, so two trials find the cell size. Where the grid is too
-/// coarse for a narrow gap, the net may touch itself along an edge; a slightly finer grid then helps.
+/// Returns a closed mesh of about the requested number of triangles. Their number is proportional to 1 /
+/// cell^2, so two trials find the cell size. Where the grid is too coarse for a narrow gap, the net may touch
+/// itself along an edge; a slightly finer grid then helps.
 inline Mesh polygonise(const Distance& shape, const Box& box, int triangles) {
     double cell = 0.05;
     for (int trial = 0; trial < 2; ++trial) {

@@ -1,10 +1,10 @@
-// The Utah teapot at any density: 32 bicubic Bezier patches, told as what they are: rings and tubes.
+// The Utah teapot at any density: 32 bicubic Bezier patches, described as rings and tubes.
 //
-// Martin Newell's control points of 1975 (University of Utah). He drew the outline of body, lid and bottom
-// and spun it a quarter turn at a time; handle and spout are tubes, mirrored left and right. So the 306
-// published points follow from the few numbers below. Newell's z is up and the pot 3.15 high; here y is up,
-// the bottom stands on y = 0, the spout points to +x, and one unit is the radius of the belly: half
-// size, 1.575 high.
+// Martin Newell's control points of 1975 (University of Utah). He drew the outline of body, lid and
+// bottom and rotated it by quarter turns; handle and spout are tubes, mirrored left and right. So the
+// 306 published points follow from the few numbers below. Newell's z is up and the pot is 3.15 high.
+// Here y is up, the bottom is at y = 0, the spout points to +x, and one unit is the radius of the belly:
+// half the size, 1.575 high.
 #pragma once
 
 #include "assets/mesh.h"
@@ -15,20 +15,21 @@
 
 namespace rt::assets {
 
-/// A point of a spun profile. A cubic quarter circle from (r, 0) to (0, r) has its inner control points at
-/// (r, s) and (s, r); Newell takes s = 0.56 r (a true circle wants 0.5523 r), but 0.45 in the knob's wide
-/// row.
+/// A point of a rotated profile. A cubic quarter circle from (r, 0) to (0, r) has its inner control
+/// points at (r, s) and (s, r). Newell uses s = 0.56 r (0.5523 r is closest to a circle), but 0.45 r in
+/// the wide row of the knob.
 struct RingRow {
     double radius, shoulder, height;
 };
 
-/// Four rows from top to bottom; `v_top` and `v_bottom` are where the texture's v begins and ends.
+/// A ring of four rows from top to bottom; the texture's v goes from `v_top` to `v_bottom`.
 struct Ring {
     double v_top, v_bottom;
     std::array<RingRow, 4> rows;
 };
 
-/// A section of a tube: it meets the mirror plane in two points (x, height) and is 2 * `half_width` wide.
+/// A cross section of a tube: it meets the mirror plane in two points (x, height) and is
+/// 2 * `half_width` wide.
 struct PotTubeRow {
     double half_width;
     dvec2 inner, outer;
@@ -66,19 +67,21 @@ inline constexpr std::array<PotTube, 4> teapot_tubes{{
 }};
 // clang-format on
 
-/// Rows run along s, the points of a row along t; s cross t is outward. The texture coordinates are linear:
-/// uv = uv_corner + s uv_along_s + t uv_along_t.
+/// A patch. Rows run along s, the points of a row along t, and s cross t is outward. The texture coordinates
+/// are linear: uv = uv_corner + s uv_along_s + t uv_along_t.
 struct Patch {
     std::array<std::array<dvec3, 4>, 4> points;
     dvec2 uv_corner, uv_along_s, uv_along_t;
 };
 
-/// Newell's (x, y, z), z up, to ours, y up, at half the size: a rotation, so that right and left stay.
+/// Converts Newell's (x, y, z), z up, to ours, y up, at half the size. It is a rotation,
+/// so left and right stay.
 inline dvec3 from_newell(double x, double y, double z) {
     return 0.5 * dvec3(x, z, -y);
 }
 
-/// The quarter of a ring that starts `quarter` right angles from -x, counter-clockwise seen from above.
+/// Returns the quarter of a ring that starts `quarter` right angles from -x,
+/// counter-clockwise seen from above.
 inline Patch ring_patch(const Ring& ring, int quarter) {
     Patch patch{{}, {quarter / 4.0, ring.v_top}, {0, ring.v_bottom - ring.v_top}, {0.25, 0}};
     for (int row = 0; row < 4; ++row) {
@@ -92,7 +95,8 @@ inline Patch ring_patch(const Ring& ring, int quarter) {
     return patch;
 }
 
-/// Half of a tube: side 0 runs from the inner line over +y to the outer line, side 1 over -y back again.
+/// Returns half of a tube: side 0 runs from the inner line over +y to the outer line,
+/// side 1 over -y back again.
 inline Patch tube_patch(const PotTube& tube, int side) {
     Patch patch{{}, {tube.u_begin, side / 2.0}, {tube.u_end - tube.u_begin, 0}, {0, 0.5}};
     for (int row = 0; row < 4; ++row) {
@@ -115,8 +119,8 @@ inline std::vector<Patch> teapot_patches() {
     return patches;
 }
 
-/// The cubic Bernstein polynomials, and their derivatives. At t = 0 and t = 1 they are exactly 0 and 1, so
-/// that two patches with a common edge give it the same points to the last bit.
+/// Returns the cubic Bernstein polynomials. At t = 0 and t = 1 they are exactly 0 and 1, so that two patches
+/// with a common edge get identical points there.
 inline std::array<double, 4> bernstein(double t) {
     const double r = 1 - t;
     return {r * r * r, 3 * r * r * t, 3 * r * t * t, t * t * t};
@@ -140,8 +144,8 @@ inline dvec3 patch_position(const Patch& patch, double s, double t) {
     return weighted_sum(patch, bernstein(s), bernstein(t));
 }
 
-/// Where a row has shrunk to a point (the poles of lid and bottom) the derivative along it vanishes; the
-/// normal is then the one a hair further in.
+/// Returns the outward normal. Where a row has shrunk to a point (the poles of lid and bottom), the
+/// derivative along it vanishes, and the normal is taken slightly further inside.
 inline dvec3 patch_normal(const Patch& patch, double s, double t) {
     const dvec3 along_s = weighted_sum(patch, bernstein_slope(s), bernstein(t));
     const dvec3 along_t = weighted_sum(patch, bernstein(s), bernstein_slope(t));
@@ -150,7 +154,7 @@ inline dvec3 patch_normal(const Patch& patch, double s, double t) {
     return normalize(outward);
 }
 
-/// Adds the triangle unless two of its corners are the same point: a pole turns quads into triangles.
+/// Adds the triangle unless two of its vertices coincide: at a pole, quads become triangles.
 inline void add_unless_flat(Mesh& mesh, const std::array<int, 3>& corners) {
     const auto apart = [&](int i, int j) {
         return distance(mesh.positions[corners[i]], mesh.positions[corners[j]]) > 1e-9;
@@ -158,7 +162,7 @@ inline void add_unless_flat(Mesh& mesh, const std::array<int, 3>& corners) {
     if (apart(0, 1) && apart(1, 2) && apart(2, 0)) mesh.triangles.push_back({corners, corners});
 }
 
-/// A grid of `density` x `density` quads, two triangles each.
+/// Returns a grid of `density` x `density` quads, two triangles each.
 inline Mesh tessellate(const Patch& patch, int density) {
     Mesh mesh;
     for (int i = 0; i <= density; ++i)

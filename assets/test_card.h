@@ -1,4 +1,4 @@
-// A test card that no flip, rotation or swap of axes leaves unchanged, and on which one can count texels.
+// A test card that changes under every flip, rotation or swap of axes, and on which texels can be counted.
 #pragma once
 
 #include "assets/letters.h"
@@ -9,7 +9,7 @@ namespace rt::assets {
 
 using FlatDistance = std::function<double(dvec2)>;
 
-/// A drawing surface with y growing downward, as pixels are stored. Borders are smoothed over a pixel.
+/// A drawing surface with y growing downward, as pixels are stored. Borders are smoothed over one pixel.
 class Card {
   public:
     explicit Card(Picture& sheet) : picture(sheet) {}
@@ -20,7 +20,7 @@ class Card {
                 picture(x, y) = over(picture(x, y), colour, shape({x + 0.5, y + 0.5}), 0.7);
     }
 
-    /// Whole pixels, no smoothing.
+    /// Fills whole pixels, without smoothing.
     void rectangle(Colour colour, ivec2 low, ivec2 size) {
         for (int y = low.y; y < low.y + size.y; ++y)
             for (int x = low.x; x < low.x + size.x; ++x) picture(x, y) = colour;
@@ -47,7 +47,7 @@ class Card {
 inline constexpr int card_width = 768, card_height = 512, card_cell = 64, card_corner = 96;
 inline constexpr Colour card_paper = hex(0xf7f0e1), card_ink = hex(0x1d2b45), card_line = hex(0xddd3bd);
 
-/// Cells of 64 texels, numbered along u at the top and along v (upward) at the left.
+/// Draws cells of 64 texels, numbered along u at the top and along v (upward) at the left.
 inline void draw_grid(Card& card) {
     for (int x = card_cell; x < card_width; x += card_cell)
         card.rectangle(card_line, {x, 0}, {1, card_height});
@@ -84,12 +84,13 @@ inline void draw_circle(Card& card) {
     card.fill(card_paper, [&](dvec2 point) { return segment(point, centre, centre + dvec2(34, 0), 2.5); });
 }
 
-/// Sixteen equal steps of the sRGB value, dark on the left.
+/// Draws sixteen equal steps of the sRGB value, dark on the left.
 inline void draw_grey_ramp(Card& card) {
     for (int step = 0; step < 16; ++step) card.rectangle(Colour(step * 17), {128 + 32 * step, 280}, {32, 40});
 }
 
-/// One-texel lines, upright and level, and a one-texel checker: what blurs first when a lookup is off.
+/// Draws one-texel lines, vertical and horizontal, and a one-texel checker: they blur
+/// first when a lookup is off.
 inline void draw_texel_patterns(Card& card) {
     for (int i = 0; i < card_cell; ++i) {
         const Colour colour = i % 2 == 0 ? card_ink : card_paper;

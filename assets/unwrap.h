@@ -1,4 +1,4 @@
-// A texture atlas for any closed mesh: cut it where it turns from one axis to another, flatten, pack.
+// Makes a texture atlas for any closed mesh: cuts it where its dominant axis changes, flattens, packs.
 #pragma once
 
 #include "assets/mesh.h"
@@ -10,20 +10,21 @@
 
 namespace rt::assets {
 
-/// Six directions to look from: 0..2 along +x, +y, +z, 3..5 along -x, -y, -z.
+/// Returns one of six view directions: 0..2 are +x, +y, +z, 3..5 are -x, -y, -z.
 inline dvec3 side_normal(int side) {
     dvec3 normal(0);
     normal[side % 3] = side < 3 ? 1 : -1;
     return normal;
 }
 
-/// What an eye on that side sees: right and up on the picture plane, so that nothing is mirrored.
+/// Projects a point as seen from that side, to right and up in the image plane, so that nothing is mirrored.
 inline dvec2 seen_from(int side, dvec3 point) {
     const dvec3 up = side % 3 == 1 ? dvec3(1, 0, 0) : dvec3(0, 1, 0);
     return {dot(point, cross(up, side_normal(side))), dot(point, up)};
 }
 
-/// Triangles on either side of each edge: neighbours[t][k] is across the edge from corner k to corner k + 1.
+/// Returns the neighbours of each triangle: neighbours[t][k] is across the edge from
+/// vertex k to vertex k + 1.
 inline std::vector<std::array<int, 3>> find_neighbours(const Mesh& mesh) {
     std::map<std::pair<int, int>, int> triangle_of_edge;
     const auto edge = [&](std::size_t t, int k) {
@@ -38,8 +39,8 @@ inline std::vector<std::array<int, 3>> find_neighbours(const Mesh& mesh) {
     return neighbours;
 }
 
-/// The side each triangle faces most. A triangle then follows a majority of its neighbours, as long as that
-/// side still sees it well: fewer crumbs, straighter seams.
+/// Returns the side that each triangle faces most. A triangle then follows a majority of its neighbours if it
+/// still faces that side well enough: fewer small charts, straighter seams.
 inline std::vector<int> choose_sides(const Mesh& mesh, const std::vector<std::array<int, 3>>& neighbours) {
     std::vector<dvec3> facing;
     std::vector<int> sides;
@@ -60,12 +61,12 @@ inline std::vector<int> choose_sides(const Mesh& mesh, const std::vector<std::ar
     return sides;
 }
 
-/// A connected piece of surface that faces one side, and its rectangle in the plane.
+/// A connected piece of the surface that faces one side, and its rectangle in the plane.
 struct Chart {
     int side = 0;
     std::vector<int> triangles;
     dvec2 low{1e9}, high{-1e9}; ///< in the mesh's unit of length
-    ivec2 place{0};             ///< of the rectangle's lower left texel in the atlas
+    ivec2 place{0};             ///< the rectangle's lower left texel in the atlas
 };
 
 inline std::vector<Chart> cut_into_charts(const Mesh& mesh) {
@@ -96,7 +97,7 @@ inline std::vector<Chart> cut_into_charts(const Mesh& mesh) {
 
 inline constexpr int atlas_padding = 3; ///< texels around a chart, so that neighbours do not bleed into it
 
-/// Puts the charts on shelves, highest first, at `scale` texels a unit. False when they do not fit.
+/// Packs the charts on shelves, tallest first, at `scale` texels per unit. Returns false if they do not fit.
 inline bool pack(std::vector<Chart>& charts, double scale, int atlas_size) {
     ivec2 pen(0);
     int shelf_height = 0;
@@ -114,7 +115,8 @@ inline bool pack(std::vector<Chart>& charts, double scale, int atlas_size) {
     return true;
 }
 
-/// Fills in the uvs: as large as the charts fit into `atlas_size` x `atlas_size` texels.
+/// Computes the uvs, at the largest scale found at which the charts fit into
+/// `atlas_size` x `atlas_size` texels.
 inline void unwrap(Mesh& mesh, int atlas_size) {
     std::vector<Chart> charts = cut_into_charts(mesh);
     std::stable_sort(charts.begin(), charts.end(),

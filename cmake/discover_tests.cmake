@@ -1,13 +1,14 @@
-# Asks a doctest executable for its test cases and writes a file that tells ctest of each; run after every build of it.
-# cmake -D EXECUTABLE=... -D PREFIX=03_mirror -D "LABELS=03;03_mirror" -D TIMEOUT=60 -D OUTPUT=... -P discover_tests.cmake
-# (doctest_discover_tests, which comes with doctest, loses all labels but one and the space after the prefix.)
+# Lists the test cases of a doctest executable and writes a file that declares them to ctest; runs after each build.
+# cmake -D EXECUTABLE=... -D PREFIX=03_mirror -D "LABELS=03;03_mirror" -D TIMEOUT=60 -D OUTPUT=...
+#       -P discover_tests.cmake
+# (doctest's own doctest_discover_tests loses all labels but one, and the space after the prefix.)
 execute_process(COMMAND ${EXECUTABLE} --list-test-cases OUTPUT_VARIABLE lines RESULT_VARIABLE code)
 if(NOT code EQUAL 0)
     message(FATAL_ERROR "${EXECUTABLE} does not list its test cases: ${code}\n${lines}")
 endif()
 
 set(script "")
-while(lines MATCHES "^([^\n]*)\n(.*)$") # no CMake list: a name may have brackets in it
+while(lines MATCHES "^([^\n]*)\n(.*)$") # not a CMake list: a name may contain brackets
     set(name "${CMAKE_MATCH_1}")
     set(lines "${CMAKE_MATCH_2}")
     if(name STREQUAL "" OR name MATCHES "^====|^\\[doctest\\]")

@@ -1,5 +1,5 @@
-# The six header-only packages: the system's where it has one, else a pinned commit that is fetched.
-# Each becomes a target of ours that carries nothing but the path of its headers.
+# The six header-only packages: the system's where installed, otherwise a pinned commit that is fetched.
+# Each becomes a target that carries only the include path of its headers.
 include(FetchContent)
 
 # rt_package(glm HEADER glm/glm.hpp FIND glm TARGET glm::glm
@@ -25,7 +25,7 @@ function(rt_package name)
     endif()
     if(NOT found)
         message(STATUS "Package ${name}: fetching ${arg_REPOSITORY} ${arg_COMMIT}")
-        # A SOURCE_SUBDIR that does not exist: take the files, run none of their CMake.
+        # A SOURCE_SUBDIR that does not exist makes CMake fetch the files without running their build scripts.
         FetchContent_Declare(${name} GIT_REPOSITORY ${arg_REPOSITORY} GIT_TAG ${arg_COMMIT} SOURCE_SUBDIR nowhere)
         FetchContent_MakeAvailable(${name})
         set(include ${${name}_SOURCE_DIR}/${arg_FETCHED_INCLUDE})
@@ -46,7 +46,7 @@ target_compile_definitions(rt_glm INTERFACE GLM_FORCE_EXPLICIT_CTOR)
 rt_package(stb HEADER stb_image.h SUFFIX stb
     REPOSITORY https://github.com/nothings/stb.git
     COMMIT 31c1ad37456438565541f4919958214b6e762fb4) # image 2.30
-# Below 2.28 a crafted JPEG writes out of bounds: there libjpeg reads JPEGs, if the system has it.
+# Before 2.28, stb_image writes out of bounds on a crafted JPEG. libjpeg then reads JPEGs, if the system has it.
 file(STRINGS ${stb_INCLUDE}/stb_image.h stb_version LIMIT_COUNT 1 REGEX "stb_image - v[0-9.]+")
 string(REGEX MATCH "v([0-9.]+)" stb_version "${stb_version}")
 if(CMAKE_MATCH_1 VERSION_GREATER_EQUAL 2.28)

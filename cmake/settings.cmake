@@ -1,4 +1,4 @@
-# How our own sources are compiled: rt::settings for all of them, rt::native for what need not run elsewhere.
+# Compiler options for our sources: rt::settings for all of them, rt::native for code that runs only on this machine.
 include(CheckCXXCompilerFlag)
 
 function(rt_compile_option target flag)
@@ -12,21 +12,21 @@ endfunction()
 add_library(rt_settings INTERFACE)
 add_library(rt::settings ALIAS rt_settings)
 target_compile_options(rt_settings INTERFACE -Wall -Wextra -Wpedantic -Wshadow)
-# A designated initialiser names what differs from the defaults, and leaves the rest out on purpose.
+# A designated initialiser names only what differs from the defaults and omits the rest on purpose.
 target_compile_options(rt_settings INTERFACE -Wno-missing-field-initializers)
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-    target_compile_options(rt_settings INTERFACE -Wno-restrict) # false alarms of GCC 12 in "text" + std::string
+    target_compile_options(rt_settings INTERFACE -Wno-restrict) # false alarms of GCC 12 for "text" + std::string
 endif()
-# Rows of eight numbers are passed in another way without AVX than with it, which matters only between files that are
-# compiled differently.
+# Vectors of eight floats are passed differently with and without AVX. That matters only between files that are
+# compiled with different options.
 target_compile_options(rt_settings INTERFACE -Wno-psabi)
 if(RAYSTEPS_WERROR)
     target_compile_options(rt_settings INTERFACE -Werror)
 endif()
 
-# a * b + c is never fused behind our back, so that every compiler makes the same picture, bit by bit.
+# a * b + c is never fused implicitly, so that every compiler renders the same image, bit by bit.
 rt_compile_option(rt_settings -ffp-contract=off)
-# sqrt need not set errno, and no floating-point operation traps: faster, with the same results.
+# sqrt does not set errno, and floating-point operations do not trap: faster, with the same results.
 rt_compile_option(rt_settings -fno-math-errno)
 rt_compile_option(rt_settings -fno-trapping-math)
 
@@ -42,9 +42,9 @@ if(RAYSTEPS_NATIVE)
     rt_compile_option(rt_native -march=native)
 endif()
 
-# The programs of the steps are small functions in headers, and a path calls dozens of them. With its usual limits g++
-# stops pasting them into each other half-way. And a path gains nothing from what -O3 does beyond -O2: the programs are a
-# little faster without, and so is the compiler.
+# The steps' programs consist of small functions in headers, and a path calls dozens of them. GCC's default inlining
+# limits are too low for this code. -O3 brings a path nothing beyond -O2: with -O2 the programs are slightly faster,
+# and so is the compiler.
 add_library(rt_inlining INTERFACE)
 add_library(rt::inlining ALIAS rt_inlining)
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)

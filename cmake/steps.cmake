@@ -1,18 +1,19 @@
-# add_step(01_spheres): the program of a step, its checks (an executable each of tests/01_spheres/*.cpp; those called
-# ..._statistics are slow) and its reference picture.
-# add_checks(test_common common "labels" sources...): a doctest executable, one ctest a test case, named "common: ...".
-# A check that cannot be made on a machine prints "[skipped]" and why.
+# Functions that declare the programs and checks of the steps.
+# add_step(01_spheres): the program of a step, its checks (one executable per file tests/01_spheres/*.cpp; those named
+# ..._statistics are slow) and the comparison with its reference image.
+# add_checks(test_common common "labels" sources...): a doctest executable; each test case is a ctest "common: ...".
+# A check that cannot run on a machine prints "[skipped]" and the reason.
 
-# A learner's workshop/03_mirror/mirror.h takes the place of steps/03_mirror/mirror.h. A new file earlier on the
-# include path rebuilds nothing by itself: whatever would include it has the names of its own headers of the workshop
-# as a compile definition, which does.
-# Only names that steps/ has count, asked for one by one: CMake chokes on others, as on a".h.
+# A learner's workshop/03_mirror/mirror.h replaces steps/03_mirror/mirror.h. A new file earlier on the include path
+# does not trigger a rebuild on its own, so every target that includes such headers gets their names as a compile
+# definition, which does. Only headers that exist in steps/ count, and each is globbed by name: CMake cannot handle
+# arbitrary file names, such as a".h.
 file(GLOB step_headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/steps steps/*/*.h)
 list(TRANSFORM step_headers PREPEND workshop/ OUTPUT_VARIABLE places)
 file(GLOB workshop_headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/workshop ${places})
 
-# What the sources include, by way of whatever they include: `own` becomes the headers of the workshop among them, `parts`
-# the sources of steps that stand beside one of them (shapes.cpp beside shapes.h).
+# Follows the #include lines of the sources. `own` is set to the workshop headers among the included files, `parts` to
+# the sources of steps beside one of them (shapes.cpp beside shapes.h).
 function(find_includes sources own parts)
     set(own_headers "")
     set(met_parts "")
@@ -44,7 +45,8 @@ function(find_includes sources own parts)
     set(${parts} "${met_parts}" PARENT_SCOPE)
 endfunction()
 
-# Parts of steps that are compiled once for all programs, like 05_mesh_bvh/shapes.cpp: those that use_steps has met.
+# Builds the sources of steps that are compiled once for all programs, such as 05_mesh_bvh/shapes.cpp,
+# as found by use_steps.
 function(add_parts)
     get_property(parts GLOBAL PROPERTY step_parts)
     foreach(part IN LISTS parts)
@@ -62,7 +64,7 @@ function(use_steps target)
     target_link_libraries(${target} PRIVATE raysteps::accel)
     target_include_directories(${target} BEFORE PRIVATE ${PROJECT_SOURCE_DIR}/workshop ${PROJECT_SOURCE_DIR}/steps)
     get_target_property(sources ${target} SOURCES)
-    list(FILTER sources EXCLUDE REGEX "<") # objects
+    list(FILTER sources EXCLUDE REGEX "<") # object files
     list(TRANSFORM sources PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/ REGEX "^[^/]")
     find_includes("${sources}" own parts)
     foreach(part IN LISTS parts)
@@ -75,12 +77,12 @@ function(use_steps target)
     if(own)
         string(REPLACE ";" ", " own "${own}")
         target_compile_definitions(${target} PRIVATE "RT_WORKSHOP=\"${own}\"")
-        target_compile_options(${target} PRIVATE -Wno-unused -Wno-unused-parameter) # in gaps that are still to be filled
+        target_compile_options(${target} PRIVATE -Wno-unused -Wno-unused-parameter) # for unfinished functions
     endif()
 endfunction()
 
-# A target with which others share a header that is parsed ahead: parse_ahead(test_pch tests/pch.h). They must be
-# compiled with the same options.
+# Declares a target whose precompiled header others reuse: parse_ahead(test_pch tests/pch.h). They must be compiled
+# with the same options.
 function(parse_ahead target header)
     set(source ${PROJECT_BINARY_DIR}/${target}.cpp)
     file(CONFIGURE OUTPUT ${source} CONTENT "// Only ${header} is wanted, parsed ahead.\n")
@@ -97,7 +99,7 @@ function(add_checks target prefix labels)
     if(NOT RAYSTEPS_TESTS OR NOT sources OR NOT TARGET common)
         return()
     endif()
-    if(NOT TARGET test_main) # doctest's own code is compiled once
+    if(NOT TARGET test_main) # compiles doctest's own code once
         add_library(test_main OBJECT ${PROJECT_SOURCE_DIR}/tests/main.cpp)
         target_link_libraries(test_main PRIVATE rt::settings rt::native rt::doctest)
         parse_ahead(test_pch tests/pch.h rt::doctest)
@@ -106,7 +108,7 @@ function(add_checks target prefix labels)
     add_executable(${target} ${sources} $<TARGET_OBJECTS:test_main>)
     target_link_libraries(${target} PRIVATE common rt::native rt::doctest)
     use_steps(${target})
-    if(NOT "statistics" IN_LIST labels) # which take long to run, not to compile
+    if(NOT "statistics" IN_LIST labels) # statistics take long to run, not to compile
         target_compile_options(${target} PRIVATE ${quickly_compiled})
         target_precompile_headers(${target} REUSE_FROM test_pch)
     endif()
@@ -128,7 +130,8 @@ function(add_checks target prefix labels)
     add_dependencies(checks ${target})
 endfunction()
 
-# The checks in tests/NAME, with further sources: the executable test_NAME, and checks_NAME, which builds all they need.
+# Declares the checks in tests/NAME, with further sources: the executable test_NAME, and the target checks_NAME,
+# which builds all they need.
 function(add_room_checks name)
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${name}/*.cpp)
     add_checks(test_${name} ${name} ${name} ${sources} ${ARGN})
@@ -145,16 +148,16 @@ function(add_step name)
     endif()
     string(SUBSTRING ${name} 0 2 number)
 
-    # Ninja compiles in the order in which targets stand here, and a learner waits for the checks first.
+    # Ninja compiles targets in the order of their declaration, and a learner waits for the checks first.
     add_custom_target(checks_${name})
-    # An executable a file, so that a learner waits for the checks of what was saved alone.
+    # One executable per file, so that a learner waits only for the checks of the saved file.
     file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${name}/*.cpp)
     foreach(source IN LISTS sources)
         get_filename_component(stem ${source} NAME_WE)
         set(labels ${number} ${name})
         if(stem MATCHES "statistics$")
             if(RAYSTEPS_SANITIZE)
-                continue() # slow, and no other code than that of the other checks
+                continue() # slow, and they run the same code as the other checks
             endif()
             list(APPEND labels statistics)
         endif()
@@ -184,7 +187,7 @@ function(add_step name)
         add_test(NAME "${test}" COMMAND bash ${PROJECT_SOURCE_DIR}/tests/reference.sh ${name}
             $<TARGET_FILE:${name}> $<TARGET_FILE:compare> ${PROJECT_SOURCE_DIR}/assets/reference
             ${PROJECT_BINARY_DIR}/tested)
-        # It uses every core: PROCESSORS keeps ctest -j from running anything beside it.
+        # The render uses every core: PROCESSORS keeps ctest -j from running other tests beside it.
         cmake_host_system_information(RESULT cores QUERY NUMBER_OF_LOGICAL_CORES)
         set_tests_properties("${test}" PROPERTIES LABELS "${number};${name};reference" SKIP_RETURN_CODE 77
                              TIMEOUT 300 PROCESSORS ${cores})

@@ -1,4 +1,4 @@
-// What most programs and checks include and no learner changes: parsed once for all of them.
+// Precompiled header of the programs: what most of them include and no learner changes.
 #pragma once
 
 #include "common/util/huge_page_vector.h"

@@ -2,7 +2,7 @@
 #include "common/util/error.h"
 #include "tests/check.h"
 #include "tools/tutor/exercises.h"
-#include "tools/tutor/temporary.h"
+#include "tools/tutor/util.h"
 #include "tools/weave/region.h"
 #include "tools/weave/weave.h"
 
@@ -12,6 +12,7 @@
 
 using namespace rt;
 using namespace rt::weave;
+using namespace rt::tutor;
 
 namespace {
 

@@ -55,6 +55,7 @@ make() { # $1: the build, $2: a program
     [ "$2" != tutor ] || cp "$stubs/tutor" "$1/bin/"
 }
 if [ "$1" = --preset ]; then
+    [ "${3-}" != -S ] || cd "$4" || exit 1
     mkdir -p "build/$2/Testing/Temporary"
     printf 'CMAKE_HOME_DIRECTORY:INTERNAL=%s\nCMAKE_CXX_COMPILER:FILEPATH=c++\n' "$(pwd -P)" >"build/$2/CMakeCache.txt"
     printf 'build bench_%s: phony\n' traversal obj_loading renders convergence kernels >"build/$2/build.ninja"
@@ -100,7 +101,7 @@ first() { # $1: a part of the output; the rest: the arguments
     fi
 }
 
-first "What this script does"
+first "The commands of this script"
 first "" setup
 first "contact sheet: renders/contact_sheet.png" run
 first "renders/03_mirror.png" run 03

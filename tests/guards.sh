@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# The rules that the folders keep, checked by reading the #include lines. Exit 1 and one line a violation.
-# guards.sh [FOLDER] checks a copy of the project; guards.sh --self-test plants violations and demands a report of each.
+# Checks the rules of the folders by reading the #include lines. Exits with 1 and prints one line per violation.
+# guards.sh [FOLDER] checks a copy of the project; guards.sh --self-test plants violations and expects a report of each.
 set -u
 
 project=$(cd "$(dirname "$0")/.." && pwd)
 rooms="common accel steps assets tests tools"
 
-# Prints the include lines of the files found in $1 as "file:line:<header>" or "file:line:"header"".
+# Prints the include lines of the files in $1 as "file:line:<header>" or "file:line:"header"".
 includes() {
     find "$1" -type f \( -name '*.h' -o -name '*.cpp' \) -exec \
         grep -nHE '^[[:space:]]*#[[:space:]]*include' {} + 2>/dev/null |
@@ -17,7 +17,7 @@ report() { # $1: the rule; stdin: the lines that break it
     sed "s|^|$1: |"
 }
 
-# 1: a step includes common, accel, itself and earlier steps.
+# 1: a step includes only common, accel, itself and earlier steps.
 guard_order() {
     includes steps | awk -F'"' '
         NF < 3 || $2 ~ /^(common|accel)\// { next }
@@ -25,44 +25,45 @@ guard_order() {
         { print }' | report "a step includes only common, accel, itself and earlier steps"
 }
 
-# 2: common includes common.
+# 2: common includes only common.
 guard_common() {
     includes common | grep '"' | grep -v ':"common/' | report "common includes nothing but common"
 }
 
-# 2a: accel includes common and accel.
+# 2a: accel includes only common and accel.
 guard_accel() {
     includes accel | grep '"' | grep -vE ':"(common|accel)/' | report "accel includes nothing but common and accel"
 }
 
-# 2b: no two rooms of common include each other: each includes only rooms to its left.
+# 2b: the folders of common are ordered: each includes only itself and folders to its left.
 guard_rooms() {
     includes common | awk -F'"' '
         BEGIN { split("util math image model render cli", names, " "); for (i in names) level[names[i]] = i }
         { split($1, from, "/"); split($2, to, "/") }
         $2 !~ /^common\/.*\// || !(from[2] in level) || from[2] == to[2] || level[to[2]] < level[from[2]] { next }
-        { print }' | report "a room of common includes only those before it: util math image model render cli"
+        { print }' | report "a folder of common includes only those before it: util math image model render cli"
 }
 
-# 2c: lessons know no command line: options and scenes of the programs are in steps/NN_name/program/.
+# 2c: lesson headers do not depend on the command line: options and scenes of the
+# programs are in steps/NN_name/program/.
 guard_lessons() {
     includes steps | grep -v -e '^steps/[^/]*/main.cpp:' -e '^steps/[^/]*/program/' |
         grep -E '"([0-9][0-9]_[a-z_]*/program/|common/cli/)' |
         report "a lesson header includes no program/ and no command line"
 }
 
-# 3: steps are pure computation.
+# 3: steps are pure computation: no threads, files or streams.
 guard_pure() {
     local forbidden="thread|jthread|stop_token|atomic|mutex|shared_mutex|condition_variable|future|semaphore|latch|barrier"
     forbidden="$forbidden|fstream|iostream|istream|ostream|sstream|iosfwd|syncstream|streambuf|print|filesystem|cstdio|csignal"
     includes steps | grep -E ":<($forbidden)>" |
-        report "a step knows no threads, files or streams"
-    # The standard library's headers have neither a slash nor a dot.
+        report "a step uses no threads, files or streams"
+    # Headers of the standard library contain neither a slash nor a dot.
     includes steps | grep ':<' | grep -vE ':<([a-z_0-9]+|glm/[^>]*)>$' |
         report "a step includes no foreign header but glm's"
 }
 
-# 4: includes are rooted: the folder stands in them.
+# 4: includes are rooted: they contain the folder.
 guard_rooted() {
     local room
     for room in $rooms; do
@@ -74,7 +75,7 @@ guard_rooted() {
     done | grep -F '../' | report "an include has no .. in it"
 }
 
-# 5: each file says what it is for, in its first line; a header is included once.
+# 5: each file says in its first line what it is for; each header has #pragma once.
 guard_opening() {
     local existing=() room
     for room in $rooms; do
@@ -88,7 +89,7 @@ guard_opening() {
     find "${existing[@]}" -type f -name '*.h' -exec grep -L '^#pragma once' {} + | report "a header says #pragma once"
 }
 
-# 6: nothing reaches a terminal but through common/util/report_error.h.
+# 6: text reaches a terminal only through common/util/report_error.h.
 guard_printable() {
     local program
     for program in common accel assets tools; do
@@ -107,8 +108,8 @@ check() { # $1: the folder
     return 1
 }
 
-# Plants one file into a copy and demands that the guards report it with the expected rule.
-plant() { # $1: the expected rule, $2: the file, $3: what it says
+# Plants one file in a copy of the project and expects the guards to report it with the given rule.
+plant() { # $1: the expected rule, $2: the file, $3: its content
     mkdir -p "$copy/$(dirname "$2")"
     printf '%b' "$3" >"$copy/$2"
     local said
@@ -128,7 +129,7 @@ self_test() {
     trap 'rm -rf "$copy"' EXIT
     missed=0
     local ok='// A planted file.\n#pragma once\n' header
-    # A blameless file in each room is not reported, so that what is planted next is the only violation.
+    # Valid files in each folder must not be reported, so that a planted file is the only violation.
     mkdir -p "$copy/steps/03_mirror" "$copy/common" "$copy/accel" "$copy/tests" "$copy/assets" "$copy/tools"
     printf '%b' "$ok#include \"01_spheres/ray.h\"\n#include \"03_mirror/b.h\"\n#include \"common/math/vec.h\"\n#include \"accel/a.h\"\n#include <cmath>\n#include <glm/glm.hpp>\n" \
         >"$copy/steps/03_mirror/a.h"
@@ -147,12 +148,12 @@ self_test() {
     plant "common includes nothing but common" common/math/tree.h "$ok#include \"accel/accel.h\"\n"
     plant "accel includes nothing but common and accel" accel/step.h "$ok#include \"01_spheres/ray.h\"\n"
     plant "accel includes nothing but common and accel" accel/mesh.cpp "// A planted file.\n#include \"assets/mesh.h\"\n"
-    plant "a room of common includes only" common/render/option.h "$ok#include \"common/cli/options.h\"\n"
-    plant "a room of common includes only" common/util/up.h "$ok#include \"common/image/image.h\"\n"
+    plant "a folder of common includes only" common/render/option.h "$ok#include \"common/cli/options.h\"\n"
+    plant "a folder of common includes only" common/util/up.h "$ok#include \"common/image/image.h\"\n"
     plant "a lesson header includes no program/" steps/03_mirror/cli.h "$ok#include \"common/cli/options.h\"\n"
     plant "a lesson header includes no program/" steps/03_mirror/scenes.h "$ok#include \"01_spheres/program/options.h\"\n"
     for header in thread atomic mutex fstream iostream sstream filesystem cstdio future; do
-        plant "a step knows no threads" "steps/03_mirror/$header.h" "$ok#include <$header>\n"
+        plant "a step uses no threads" "steps/03_mirror/$header.h" "$ok#include <$header>\n"
     done
     for header in stb_image.h CLI/CLI.hpp stdio.h unistd.h; do
         plant "no foreign header but glm's" "steps/03_mirror/foreign.h" "$ok#include <$header>\n"

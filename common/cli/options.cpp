@@ -1,4 +1,4 @@
-// Options of a program, by CLI11. A message names the option, what was typed and what fits.
+// Command-line options, parsed by CLI11. Errors name the option, what was typed, and what is valid.
 
 #include "common/cli/options.h"
 
@@ -25,7 +25,7 @@ namespace rt {
 
 namespace {
 
-constexpr int max_image_dimension = 65536; // of the whole; the part that is rendered is smaller
+constexpr int max_image_dimension = 65536; // of the whole image; only the crop is limited to max_dimension
 
 template <typename Value>
 std::string text_of(const Value& value) {
@@ -34,7 +34,7 @@ std::string text_of(const Value& value) {
     return stream.str();
 }
 
-/// `text` in lines that leave 25 of 80 columns to the names.
+/// Wraps `text` at `width` columns: a line of --help has 80, of which the names take 25.
 std::string wrapped(std::string text, std::size_t width = 55) {
     for (std::size_t start = 0; text.size() - start > width;) {
         const std::size_t blank = text.rfind(' ', start + width);
@@ -47,7 +47,7 @@ std::string wrapped(std::string text, std::size_t width = 55) {
 
 const CLI::Validator not_empty([](auto& s) { return s.empty() ? "the name of the file is empty" : ""; }, "");
 
-/// The decimal number that `text` is, if it is one and in the range.
+/// Returns the decimal number that all of `text` spells, if it is in [low, high].
 template <typename Number>
 std::optional<Number> parse_number(const std::string& text, Number low, Number high) {
     const char *const begin = text.data(), *const end = begin + text.size(), *stop = begin;
@@ -65,7 +65,8 @@ std::optional<Number> parse_number(const std::string& text, Number low, Number h
     return value;
 }
 
-/// The `count` numbers between commas; none if there are more or fewer, or one is not in the range.
+/// Returns the `count` numbers separated by commas, or an empty vector if there are more or fewer, or if one
+/// is not a number in [low, high].
 template <typename Number>
 std::vector<Number> parse_list(const std::string& text, std::size_t count, Number low, Number high) {
     std::vector<Number> values;
@@ -92,8 +93,8 @@ Crop parse_crop(const std::string& text, int width, int height) {
 struct Options::Parser {
     CLI::App app;
     RenderSettings settings;
-    std::string crop;  ///< as typed: what fits depends on the image's size, which may come later
-    std::string group; ///< of the options that are declared next
+    std::string crop;  ///< as typed; checked after parsing, since it depends on the size of the image
+    std::string group; ///< section of --help for the options declared next
     std::deque<std::variant<bool, int, float, dvec3, std::string>> values;
 
     template <typename Value>
@@ -101,7 +102,8 @@ struct Options::Parser {
         return std::get<Value>(values.emplace_back(std::move(initial)));
     }
 
-    /// Declares an option that takes a value, or without a `metavar` a flag. `read` throws Error.
+    /// Declares an option with a value, or a flag if `metavar` is empty. `read` parses the
+    /// value; it may throw Error.
     CLI::Option* add(const std::string& name, const std::string& metavar, const std::string& help,
                      const std::function<void(const std::string& text)>& read) {
         const std::string flag = "--" + name;
@@ -110,7 +112,7 @@ struct Options::Parser {
             if (typed.size() > 1) throw Error(flag + " is given twice: keep one");
             if (metavar.empty() && typed[0] != "true")
                 throw Error(flag + " takes no value: leave out " + in_quotes(typed[0]));
-            if (!metavar.empty() && typed[0].rfind("--", 0) == 0) // it has swallowed the next option
+            if (!metavar.empty() && typed[0].rfind("--", 0) == 0) // CLI11 took the next option as the value
                 throw Error(flag + " needs a value: " + flag + " " + metavar);
             read(typed[0]);
             return true;
@@ -146,7 +148,8 @@ struct Options::Parser {
         add_number("width", settings.width, 1, max_image_dimension, "columns of the whole image, in pixels");
         add_number("height", settings.height, 1, max_image_dimension, "rows of the whole image, in pixels");
         add_number("samples", settings.samples, 1, 1 << 20, "samples per pixel");
-        add_number("seed", settings.seed, std::uint64_t(0), ~std::uint64_t(0), "another seed, other noise");
+        add_number("seed", settings.seed, std::uint64_t(0), ~std::uint64_t(0),
+                   "a different seed gives different noise");
         add_text("crop", "X0,Y0,X1,Y1", crop,
                  "render only columns x0 <= x < x1 and rows y0 <= y < y1 of the whole, in pixels from the "
                  "top left "
@@ -163,7 +166,7 @@ struct Options::Parser {
             "[default none]")
             ->check(not_empty);
         add_number("threads", settings.threads, 0, 1024,
-                   "threads to render with; 0: as many as the cores that it may use");
+                   "rendering threads; 0: one per core that the process may use");
         add("quiet", "", "print only the names of the files written, and errors",
             [this](const std::string&) { settings.quiet = true; });
     }
@@ -192,9 +195,9 @@ Options::Options(std::string name, std::string question, RenderSettings settings
     app.allow_extras();
     app.allow_windows_style_options(false);
     app.get_formatter()->column_width(25);
-    app.set_help_flag(); // CLI11's own one comes after the values, which then would have to be right
+    app.set_help_flag(); // CLI11 handles its own --help after the values, which would have to be valid
     app.add_flag_callback(
-           "-h,--help", [] { throw CLI::CallForHelp(); }, "print this")
+           "-h,--help", [] { throw CLI::CallForHelp(); }, "print this help")
         ->group(own_group);
     app.set_version_flag("--version", version(), "print the version")->group(own_group);
     parser->settings = std::move(settings);
@@ -265,7 +268,7 @@ bool Options::is_set(const std::string& name) const {
 
 bool Options::parse(int argc, const char* const* argv) {
     std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
-    std::reverse(words.begin(), words.end()); // CLI11 takes words from the back
+    std::reverse(words.begin(), words.end()); // CLI11 consumes the arguments from the back
     try {
         parser->app.parse(words);
     } catch (const CLI::Success& asked) { // --help or --version
@@ -278,7 +281,7 @@ bool Options::parse(int argc, const char* const* argv) {
     } catch (const CLI::ParseError& error) {
         throw Error(error.what());
     }
-    parser->refuse_extras(); // after the values: an option that lacks its own may have swallowed the next one
+    parser->refuse_extras(); // after the values: one without a value may have taken the next option
     RenderSettings& settings = parser->settings;
     settings.crop = {0, 0, settings.width, settings.height};
     if (is_set("crop")) settings.crop = parse_crop(parser->crop, settings.width, settings.height);

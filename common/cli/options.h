@@ -1,5 +1,4 @@
-// Options: each is declared once, and is then a command-line flag, a line of --help with its unit, range and
-// default, and a check of what the user typed.
+// Command-line options: one declaration gives the flag, its line of --help and the check of its value.
 #pragma once
 
 #include "common/math/vec.h"
@@ -14,7 +13,7 @@
 
 namespace rt {
 
-/// The value of an option that names one of a few choices; converts to its enum.
+/// The value of an option with named choices; converts to the enum.
 template <typename Enum>
 class Choice {
   public:
@@ -25,37 +24,38 @@ class Choice {
     const int* index;
 };
 
-/// Declares options, then parses a command line. Every option returns a reference that parse() fills in.
-/// Names carry no dashes: option("ior", ...) becomes --ior.
+/// Declares options, then parses a command line. Each declaration returns a reference that parse() fills in.
+/// Names are given without dashes: option("ior", ...) becomes --ior.
 class Options {
   public:
-    /// `name` is the program's ("01_spheres"), `question` the sentence that opens its --help,
-    /// `settings` the defaults.
+    /// `name`: the program's name ("01_spheres"). `question`: the sentence that opens --help. `settings`: the
+    /// defaults of the image options.
     Options(std::string name, std::string question, RenderSettings settings);
     ~Options();
 
-    /// A float or an int.
+    /// Declares a number in [low, high], a float or an int.
     template <typename Number>
     const Number& option(const std::string& name, Number initial, Number low, Number high,
                          const std::string& help);
-    /// Three finite numbers, typed as x,y,z. In double: a model's coordinates may be far from 0.
+    /// Declares three finite numbers, typed as x,y,z. They are double, since a model may
+    /// be far from the origin.
     const dvec3& option(const std::string& name, vec3 initial, const std::string& help);
-    /// Absent is false.
+    /// Declares a flag, false unless given.
     const bool& flag(const std::string& name, const std::string& help);
-    /// A file that is read, "" if not given; parse() refuses one that does not exist.
+    /// Declares an input file, "" unless given. parse() throws Error if it does not exist.
     const std::string& file(const std::string& name, const std::string& help);
-    /// One of `names`, which stand in the order of the enum's values 0, 1, 2, ...
+    /// Declares a choice among `names`, which are in the order of the enum's values 0, 1, 2, ...
     template <typename Enum>
     Choice<Enum> choice(const std::string& name, const std::vector<std::string>& names, Enum initial,
                         const std::string& help) {
         return Choice<Enum>(choice_index(name, names, int(initial), help));
     }
 
-    /// True if the user typed this option, so that a default may depend on the scene.
+    /// Returns whether the option was given on the command line, so that a default may depend on the scene.
     bool is_set(const std::string& name) const;
 
-    /// Throws Error with one line that says what is wrong and what would be right. Returns false after
-    /// --help and --version, when all is said and the program should end well.
+    /// Parses a command line. Throws Error with one line that says what is wrong and what is valid. Returns
+    /// false if it printed --help or --version, after which the program should exit with 0.
     bool parse(int argc, const char* const* argv);
 
     const RenderSettings& settings() const;
@@ -64,7 +64,7 @@ class Options {
   private:
     const int& choice_index(const std::string& name, const std::vector<std::string>& names, int initial,
                             const std::string& help);
-    struct Parser; // CLI11 costs seconds to compile: it is included in options.cpp alone
+    struct Parser; // CLI11 takes seconds to compile, so only options.cpp includes it
     std::unique_ptr<Parser> parser;
 };
 

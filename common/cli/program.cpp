@@ -1,4 +1,4 @@
-// The manners of a step's program: refuse before working, say what it cost, leave no half-written file.
+// Runs a step's program: checks before rendering, reports the cost, and never leaves a half-written file.
 
 #include "common/cli/program.h"
 
@@ -42,10 +42,11 @@ using Clock = std::chrono::steady_clock;
 
 // ---- stopping ----
 
-std::atomic<const char*> stop_message = ""; ///< what Ctrl-C leaves on stderr, complete with its line end
+std::atomic<const char*> stop_message = ""; ///< what Ctrl-C prints on stderr, including the newline
 
-// Runs in the middle of anything: it may only call what POSIX lists as safe in a signal handler. The program
-// then dies of the signal, as it would without a handler, so that a shell sees which one it was.
+// Signal handler. It may interrupt any code, so it calls only functions that POSIX lists as
+// async-signal-safe. The program then dies of the signal, as it would without a handler, so that a shell
+// sees which signal it was.
 extern "C" void stop(int number) {
     discard_unfinished_file();
     const char* const words = stop_message.load();
@@ -58,8 +59,9 @@ extern "C" void stop(int number) {
     std::raise(number); // on POSIX it is delivered when this function returns
 }
 
-/// While one lives, Ctrl-C, kill and a closed terminal end the program with a message. It is installed even
-/// where the parent ignores Ctrl-C (as a shell does for `program &`): a render that nothing stops is worse.
+/// While an instance exists, SIGINT, SIGTERM and SIGHUP end the program with a message. The handlers are
+/// installed even where the parent ignores SIGINT (as a shell does for `program &`), so that a render
+/// can always be stopped.
 class StopHandler {
   public:
     explicit StopHandler(const std::string& name)
@@ -85,13 +87,13 @@ class StopHandler {
     static constexpr std::array signals{SIGINT, SIGTERM};
 #endif
     std::array<void (*)(int), signals.size()> old{};
-    const std::string start; ///< on a terminal the message goes below the progress bar
+    const std::string start; ///< on a terminal, the message starts below the progress bar
     const std::string before, during;
 };
 
-/// A closed stdin, stdout or stderr becomes /dev/null. Left closed, its number would go to the next file that
-/// is opened, and what is meant for the terminal would end up in a picture. What would kill the program where
-/// a write fails becomes an error of that write.
+/// Opens /dev/null for a closed stdin, stdout or stderr. Otherwise the next file opened would get that
+/// descriptor, and text for the terminal would end up in an image. Also ignores signals that would kill the
+/// program when a write fails; the write then reports an error.
 void reopen_closed_streams() {
 #if !defined(_WIN32)
     int file = open("/dev/null", O_RDWR);
@@ -99,8 +101,8 @@ void reopen_closed_streams() {
     if (file > 2) close(file);
 #endif
 #if defined(SIGXFSZ) && defined(SIGPIPE)
-    std::signal(SIGXFSZ, SIG_IGN); // `ulimit -f` is like a full disk
-    std::signal(SIGPIPE, SIG_IGN); // `| head -1` shall not cost the picture
+    std::signal(SIGXFSZ, SIG_IGN); // `ulimit -f` then behaves like a full disk
+    std::signal(SIGPIPE, SIG_IGN); // `| head -1` must not lose the image
 #endif
 }
 
@@ -108,10 +110,10 @@ void reopen_closed_streams() {
 
 struct Outputs {
     std::vector<std::string> pictures;
-    std::string variance; ///< or empty
+    std::string variance; ///< empty if not requested
 };
 
-/// In small letters, with its dot.
+/// Returns the file name's extension in lower case, with its dot.
 std::string ending(const std::string& path) {
     std::string letters = fs::path(path).extension().string();
     for (char& c : letters)
@@ -137,7 +139,7 @@ bool same_file(const std::string& a, const std::string& b) {
     return absolute_path(a) == absolute_path(b) || fs::equivalent(a, b, ignored);
 }
 
-/// Every file that will be written, once all of them can be.
+/// Returns the files to write, after checking that all of them can be written. Throws Error otherwise.
 Outputs checked_outputs(const Options& options) {
     const RenderSettings& settings = options.settings();
     const Outputs outputs{picture_files(settings.out, options.name()), settings.variance};
@@ -147,8 +149,7 @@ Outputs checked_outputs(const Options& options) {
         throw Error("--variance " + outputs.variance +
                     " is not an .hdr file: give it a name like variance.hdr");
     if (settings.samples < 2)
-        throw Error(
-            "--variance needs --samples 2 or more: one sample a pixel says nothing about its variance");
+        throw Error("--variance needs --samples 2 or more: one sample per pixel has no variance");
     for (const std::string& path : outputs.pictures)
         if (same_file(path, outputs.variance))
             throw Error("--variance " + outputs.variance +
@@ -157,7 +158,7 @@ Outputs checked_outputs(const Options& options) {
     return outputs;
 }
 
-// ---- words ----
+// ---- messages ----
 
 template <typename... Values>
 std::string format(const char* pattern, Values... values) {
@@ -204,12 +205,12 @@ double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Prints a line at once, unless --quiet.
+/// Prints a line immediately, unless --quiet is given.
 void print(const RenderSettings& settings, const std::string& line) {
     if (!settings.quiet) std::cout << line << std::flush;
 }
 
-/// Renders with a progress bar; answers the film and says how long it took.
+/// Renders with a progress bar and returns the film; `seconds` is set to the time taken.
 Film timed_render(const RenderSettings& settings, const SampleFunction& radiance, double& seconds) {
     const Clock::time_point start = Clock::now();
     Progress bar(settings.quiet);
@@ -218,14 +219,14 @@ Film timed_render(const RenderSettings& settings, const SampleFunction& radiance
     return film;
 }
 
-/// What is wrong, for a person.
+/// Returns an error message for the user.
 std::string explained(const std::exception& problem) {
     const bool no_memory = dynamic_cast<const std::bad_alloc*>(&problem);
-    return no_memory ? "there is not enough memory: ask for a smaller picture or scene" : problem.what();
+    return no_memory ? "there is not enough memory: render a smaller image or scene" : problem.what();
 }
 
-/// Writes a picture under a new name to the system's temporary folder or, failing that, the home folder.
-/// Returns its path, or "".
+/// Writes an image under a new name to the system's temporary folder or, failing that, the home folder.
+/// Returns its path, or "" if both fail.
 std::string saved_elsewhere(const std::string& program, const std::string& path, const Image& image) {
     std::error_code ignored;
     const char* const home = std::getenv("HOME");
@@ -235,15 +236,16 @@ std::string saved_elsewhere(const std::string& program, const std::string& path,
             if (!folder.is_absolute()) continue;
             write_image(place, image);
             fs::permissions(place, fs::perms::owner_read | fs::perms::owner_write,
-                            ignored); // others look there
+                            ignored); // other users can read that folder
             return place;
-        } catch (const std::exception&) { // the next folder may have room
+        } catch (const std::exception&) { // try the next folder
         }
     }
     return "";
 }
 
-/// Returns the exit code: 2 if a picture is not where it should be.
+/// Writes the files and prints their paths. Returns the exit code: 2 if a file could not
+/// be written to its place.
 int write_outputs(const std::string& program, const Outputs& outputs, const Film& film) {
     std::string wrote;
     int code = 0;
@@ -254,7 +256,7 @@ int write_outputs(const std::string& program, const Outputs& outputs, const Film
         } catch (const std::exception& problem) {
             place = saved_elsewhere(program, path, image);
             const std::string fate = place.empty()
-                                         ? "; no other folder takes the new picture either, and it is lost"
+                                         ? "; the new picture could not be saved elsewhere either and is lost"
                                          : "; the new picture is " + place;
             code = report_error(program, explained(problem) + fate);
         }
@@ -266,14 +268,14 @@ int write_outputs(const std::string& program, const Outputs& outputs, const Film
     return code;
 }
 
-/// Returns the exit code.
+/// Renders and writes the files of a parsed command line. Returns the exit code.
 int run(const Options& options, const std::function<void(const RenderFunction&)>& body,
         const std::string& overridden_headers, StopHandler& handler) {
     const RenderSettings& settings = options.settings();
     const Outputs outputs = checked_outputs(options);
     print(settings, summary(settings));
     if (!overridden_headers.empty()) print(settings, "using your " + printable(overridden_headers) + "\n");
-    // What the writing will need: better refused now than when the picture is finished.
+    // Reserves the memory that writing needs, so that a lack of it shows before the render, not after.
     HugePageVector<char> spare;
     spare.reserve(memory_to_write(settings.crop.x1 - settings.crop.x0, settings.crop.y1 - settings.crop.y0));
     std::optional<Film> film;
@@ -306,8 +308,8 @@ int run_program(Options& options, int argc, const char* const* argv,
             code = run(options, body, overridden_headers, handler);
         }
         if (!std::cout.flush())
-            throw Error(
-                "stdout takes no more text (is the disk full, or did the reader leave?); all else went well");
+            throw Error("cannot write to stdout (is the disk full, or was the pipe closed?); everything else "
+                        "succeeded");
         return code;
     } catch (const std::exception& problem) {
         return report_error(options.name(), explained(problem));

@@ -1,5 +1,4 @@
-// Pictures on disk, as the values that stand in the file: PNG, TGA and BMP through stb, JPEG through stb or
-// libjpeg.
+// Reads image files as stored values: PNG, TGA and BMP through stb, JPEG through stb or libjpeg.
 #include "common/util/error.h"
 #include "common/util/file_bytes.h"
 #include "common/image/hdr_format.h"
@@ -22,15 +21,15 @@ namespace {
 constexpr std::uintmax_t max_file_bytes = std::uintmax_t(1) << 30; // stb counts bytes in an int
 
 Error undecodable() {
-    if (stb_memory.was_refused) return Error("is damaged (it holds more data than a picture of its size)");
+    if (stb_memory.was_refused) return Error("is damaged (it holds more data than an image of its size)");
     const char* const said = stbi_failure_reason();
     std::string reason = said && *said ? said : "no reason given";
-    const auto is_odd = [](char c) { return c < ' ' || c > '~'; }; // stb quotes the file's own bytes
+    const auto is_odd = [](char c) { return c < ' ' || c > '~'; }; // stb's message may quote file bytes
     std::replace_if(reason.begin(), reason.end(), is_odd, '?');
     return Error("is damaged or of an unusual kind (" + reason + "); save it as PNG again");
 }
 
-/// What a file says of itself.
+/// The size and format that a file states in its header.
 struct Header {
     int width = 0, height = 0, channels = 0;
     bool is_deep = false; ///< 16 bits per value
@@ -41,20 +40,20 @@ Header header_of(const std::string& bytes) {
     Header header;
     if (!stbi_info_from_memory(data, int(bytes.size()), &header.width, &header.height, &header.channels))
         throw undecodable();
-    if (header.height < 0 && header.height > -INT_MAX) header.height = -header.height; // a BMP from the top
+    if (header.height < 0 && header.height > -INT_MAX) header.height = -header.height; // a top-down BMP
     header.is_deep = stbi_is_16_bit_from_memory(data, int(bytes.size())) != 0;
     return header;
 }
 
-/// The largest block that decoding can need: the pixels with an alpha channel added, or the data of an
-/// interlaced PNG in a buffer that doubles, or the file's own bytes in such a buffer.
+/// Returns the size of the largest memory block that decoding may need: the pixels with an alpha channel
+/// added, the data of an interlaced PNG in a buffer that doubles, or the file's own bytes in such a buffer.
 std::size_t largest_block(const Header& header, std::size_t file_bytes) {
-    constexpr std::size_t padding = 64; // squares of a JPEG, and the first byte of a PNG row
+    constexpr std::size_t padding = 64; // blocks of a JPEG, and the filter byte of a PNG row
     const std::size_t pixels = (std::size_t(header.width) + padding) * (std::size_t(header.height) + padding);
     return pixels * std::size_t(2 * header.channels) * (header.is_deep ? 2 : 1) + 2 * file_bytes;
 }
 
-/// Alpha that is 1 or 0 everywhere says nothing.
+/// Drops an alpha channel that is 1 everywhere or 0 everywhere, since it carries no information.
 void drop_even_opacity(std::vector<std::uint16_t>& opacity) {
     const auto all_are = [&](std::uint16_t value) {
         return std::all_of(opacity.begin(), opacity.end(), [&](std::uint16_t o) { return o == value; });
@@ -62,7 +61,7 @@ void drop_even_opacity(std::vector<std::uint16_t>& opacity) {
     if (all_are(65535) || all_are(0)) opacity = {};
 }
 
-/// From `channels` values per pixel, grey or RGB and perhaps alpha, to a Bitmap.
+/// Converts `channels` values per pixel (grey or RGB, with or without alpha) to a Bitmap.
 template <typename Value>
 Bitmap unpacked(const Value* values, const Header& header) {
     constexpr int scale = sizeof(Value) == 1 ? 257 : 1;
@@ -136,7 +135,7 @@ Bitmap read_bitmap(const std::string& path, std::int64_t pixels_left) {
         if (kind == ImageKind::hdr) return bitmap_of(decode_hdr(bytes, pixels_left));
         if (kind == ImageKind::jpeg) return decode_jpeg(bytes, pixels_left);
         if (kind == ImageKind::unknown)
-            throw Error("is damaged or not a PNG, JPEG, TGA, BMP or HDR picture; save it as PNG again");
+            throw Error("is damaged or not a PNG, JPEG, TGA, BMP or HDR image; save it as PNG again");
         return decode_with_stb(kind, bytes, pixels_left);
     } catch (const Error& problem) {
         throw Error(path + ": " + problem.what());

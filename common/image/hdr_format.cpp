@@ -1,6 +1,6 @@
-// Radiance's .hdr format in memory. Our own, because stb_image 2.27 never returns from a file that was cut
-// short, and because stb_image_write cuts mantissas off where it should round, which makes every picture
-// darker.
+// Encodes and decodes Radiance .hdr files in memory.
+// This is our own code, because stb_image 2.27 never returns from a truncated file, and because
+// stb_image_write truncates mantissas instead of rounding them, which darkens every image.
 #include "common/image/hdr_format.h"
 
 #include "common/util/error.h"
@@ -16,10 +16,10 @@
 namespace rt {
 namespace {
 
-constexpr int shortest_run = 4; // a shorter one costs as much as it saves
-// A count of 1 to 128 means that many bytes as they are, 129 to 255 a run of 1 to 127.
+constexpr int shortest_run = 4; // a shorter run saves nothing
+// A count byte of 1 to 128 is followed by that many literal bytes; 129 to 255 means a run of 1 to 127.
 constexpr int longest_packet = 127;
-constexpr int least_rle_width = 8, least_flat_width = 1 << 15; // outside of these, rows are stored flat
+constexpr int least_rle_width = 8, least_flat_width = 1 << 15; // rows of other widths are stored uncompressed
 
 bool is_rle_width(int width) {
     return width >= least_rle_width && width < least_flat_width;
@@ -32,7 +32,7 @@ int run_length(const std::uint8_t* at, const std::uint8_t* end) {
     return int(std::find_if(at, stop, [at](std::uint8_t byte) { return byte != *at; }) - at);
 }
 
-/// One channel of one row: runs of equal bytes, and stretches of unequal ones as they are.
+/// Appends one channel of one row: runs of equal bytes, and stretches of other bytes as literals.
 void encode_channel(const std::vector<std::uint8_t>& channel, std::string& out) {
     const std::uint8_t* at = channel.data();
     const std::uint8_t* const end = at + channel.size();
@@ -66,7 +66,7 @@ void encode_row(const std::vector<Rgbe>& row, std::string& out) {
 
 // ---- decode
 
-/// The bytes that are still to come.
+/// The bytes that have not been read yet.
 struct Reader {
     std::string_view rest;
 
@@ -100,15 +100,15 @@ int size_after(std::string_view& text, std::string_view name) {
         size = failure == std::errc() ? size : 0;
     }
     if (size <= 0)
-        throw Error("states no size of the form \"-Y height +X width\" (other orders are not read)");
+        throw Error("states no size of the form \"-Y height +X width\" (other orders are not supported)");
     return size;
 }
 
-/// What a picture's pixels were multiplied by, as the lines of its header say.
+/// The factor that the image's pixels were multiplied by, according to its header.
 struct Exposure {
     vec3 factor{1.0f};
 
-    /// Follows `line` if it is of the form "EXPOSURE= 2" or "COLORCORR= 1 .9 1".
+    /// Applies `line` if it has the form "EXPOSURE= 2" or "COLORCORR= 1 .9 1".
     void follow(std::string_view line) {
         const bool is_colour = line.substr(0, 10) == "COLORCORR=";
         if (!is_colour && line.substr(0, 9) != "EXPOSURE=") return;
@@ -120,12 +120,12 @@ struct Exposure {
         factor *= further;
         const auto is_sound = [](float f) { return f > 1e-20f && f < 1e20f; };
         if (numbers.fail() || !is_sound(factor.x) || !is_sound(factor.y) || !is_sound(factor.z))
-            throw Error("has a wrong line " + in_quotes(line));
+            throw Error("has an invalid line " + in_quotes(line));
     }
     vec3 undone(vec3 colour) const { return min(colour / factor, vec3(std::numeric_limits<float>::max())); }
 };
 
-/// An image of the size that the header states, still black.
+/// Reads the header and returns a black image of the size that it states.
 Image decode_header(Reader& reader, std::int64_t pixels_left, Exposure& exposure) {
     const std::string_view magic = reader.line();
     if (magic != "#?RADIANCE" && magic != "#?RGBE") throw Error("is not a Radiance .hdr file");
@@ -138,7 +138,7 @@ Image decode_header(Reader& reader, std::int64_t pixels_left, Exposure& exposure
     const int height = size_after(size, "-Y ");
     const int width = size_after(size, " +X ");
     if (const std::string why = size_error(width, height, pixels_left); !why.empty()) throw Error(why);
-    // A run says at most 127 values in two bytes: so a small file cannot ask for a large picture.
+    // A run encodes at most 127 values in two bytes, so a small file cannot claim a large image.
     if (reader.rest.size() / 2 < std::size_t(width) * std::size_t(height) * 4 / 128)
         throw Error("is cut short");
     return Image(width, height);
@@ -148,7 +148,8 @@ void decode_channel(Reader& reader, std::vector<Rgbe>& row, std::size_t channel)
     for (std::size_t x = 0; x < row.size();) {
         const int code = reader.byte();
         const std::size_t count = std::size_t(code > 128 ? code - 128 : code);
-        if (count == 0 || x + count > row.size()) throw Error("is damaged (a run passes the end of its row)");
+        if (count == 0 || x + count > row.size())
+            throw Error("is damaged (a run goes past the end of its row)");
         std::uint8_t value = 0;
         for (std::size_t i = 0; i < count; ++i, ++x) {
             if (code <= 128 || i == 0) value = reader.byte();
@@ -167,7 +168,7 @@ void decode_row(Reader& reader, std::vector<Rgbe>& row) {
         return;
     }
     if (std::size_t(std::uint8_t(mark[2]) << 8 | std::uint8_t(mark[3])) != width)
-        throw Error("is damaged (a row of another width)");
+        throw Error("is damaged (a row has the wrong width)");
     reader.rest.remove_prefix(4);
     for (std::size_t channel = 0; channel < 4; ++channel) decode_channel(reader, row, channel);
 }
@@ -180,7 +181,7 @@ Rgbe rgbe_from_linear(vec3 colour) {
     const float largest = std::max({kept.x, kept.y, kept.z});
     int exponent = 0;
     std::frexp(largest, &exponent);                              // largest = f * 2^exponent, f in [1/2, 1)
-    if (std::ldexp(largest, 8 - exponent) >= 255.5f) ++exponent; // would round to 256
+    if (std::ldexp(largest, 8 - exponent) >= 255.5f) ++exponent; // the mantissa would round to 256
     if (largest == 0 || exponent + 128 < 1) return {0, 0, 0, 0};
     const auto mantissa = [&](float value) { return std::uint8_t(std::ldexp(value, 8 - exponent) + 0.5f); };
     return {mantissa(kept.x), mantissa(kept.y), mantissa(kept.z), std::uint8_t(exponent + 128)};

@@ -1,5 +1,5 @@
-// Radiance's .hdr format in memory: 8 bits a channel and one exponent for the three (Ward, Graphics Gems II,
-// 1991).
+// The Radiance .hdr format in memory: three 8-bit mantissas with a shared exponent.
+// G. Ward, "Real Pixels", Graphics Gems II, 1991.
 #pragma once
 
 #include "common/image/image_file.h"
@@ -13,17 +13,16 @@ namespace rt {
 
 using Rgbe = std::array<std::uint8_t, 4>;
 
-/// The nearest RGBE to a colour: value = mantissa * 2^(exponent - 136). Negative becomes 0, too large the
-/// largest.
+/// Returns the nearest RGBE to a colour: value = mantissa * 2^(exponent - 136). Negative values become 0;
+/// values that are too large become the largest representable one.
 Rgbe rgbe_from_linear(vec3 colour);
 vec3 linear_from_rgbe(Rgbe rgbe);
 
-/// A whole .hdr file, run-length encoded; magenta where a pixel is not finite.
+/// Returns a complete .hdr file, run-length encoded. Pixels that are not finite are written as magenta.
 std::string encode_hdr(const Image& image);
 
-/// Radiance: what EXPOSURE and COLORCORR lines multiplied the pixels by is divided out again. Throws Error
-/// with the reason for what is damaged, cut short or too large (see size_error()). Never reads past the
-/// end.
+/// Returns the radiance values of a .hdr file, divided by the factors of its EXPOSURE and COLORCORR lines.
+/// Throws Error with the reason if the file is damaged, truncated or too large (see size_error()).
 Image decode_hdr(std::string_view bytes, std::int64_t pixels_left = max_pixels);
 
 } // namespace rt

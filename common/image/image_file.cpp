@@ -1,4 +1,4 @@
-// Pictures on disk, as light: PNG through stb, .hdr through our own code, and the sRGB curve between.
+// Reads and writes image files as linear light: PNG through stb, .hdr through our own code.
 #include "common/image/image_file.h"
 
 #include "common/util/error.h"
@@ -30,7 +30,7 @@ void check_ending(const std::string& path) {
     const std::string ending = lower_ending(path);
     if (ending != ".png" && ending != ".hdr")
         throw Error(path + ": the name should end in .png or .hdr" +
-                    (ending.empty() ? "" : " (" + ending + " is not written)"));
+                    (ending.empty() ? "" : " (" + ending + " is not supported)"));
 }
 
 std::uint8_t srgb_code(float linear) {
@@ -60,7 +60,7 @@ std::string encode_png(const std::string& path, const Image& image) {
         static_cast<std::string*>(context)->append(static_cast<const char*>(data), std::size_t(size));
     };
     if (!stbi_write_png_to_func(append, &bytes, image.width, image.height, 3, codes.data(), image.width * 3))
-        throw Error(path + ": the picture could not be encoded; is there too little memory?");
+        throw Error(path + ": the image could not be encoded; is there too little memory?");
     return bytes;
 }
 
@@ -80,7 +80,7 @@ std::string size_error(int width, int height, std::int64_t pixels_left) {
     const std::int64_t pixels = std::int64_t(width) * height;
     if (width < 1 || height < 1) return "has no pixels (" + size + ")";
     if (width > max_dimension || height > max_dimension)
-        return "is too large (" + size + ", at most " + std::to_string(max_dimension) + " a side)";
+        return "is too large (" + size + ", at most " + std::to_string(max_dimension) + " per side)";
     if (pixels > max_pixels)
         return "is too large (" + size + ", at most " + millions(max_pixels) + " pixels)";
     if (pixels > pixels_left)
@@ -98,12 +98,12 @@ void check_writable(const std::string& path) {
 void write_image(const std::string& path, const Image& image) {
     check_ending(path);
     if (const std::string why = size_error(image.width, image.height); !why.empty())
-        throw Error(path + ": the picture " + why);
+        throw Error(path + ": the image " + why);
     write_file(path, lower_ending(path) == ".png" ? encode_png(path, image) : encode_hdr(image));
 }
 
 std::size_t memory_to_write(int width, int height) {
-    // A pixel of a PNG takes 3 bytes as codes, 3 filtered, and up to 9 where stb's compressed copy grows. Its
+    // A PNG pixel takes 3 bytes as sRGB codes, 3 filtered, and up to 9 where stb's compressed copy grows. Its
     // hash table takes some MB.
     return std::size_t(width) * std::size_t(height) * 16 + (std::size_t(8) << 20);
 }

@@ -1,5 +1,6 @@
-// JPEG through libjpeg. It reports errors by a function that must not return: ours jumps back to where the
-// call was made, past C frames alone, and nothing that has a destructor lives between.
+// Decodes JPEG through libjpeg.
+// libjpeg reports errors through a function that must not return. Ours jumps back to the call with longjmp,
+// which is valid because it skips only C frames and no object with a destructor.
 #include "common/image/jpeg_format.h"
 
 #include "common/util/error.h"
@@ -17,7 +18,7 @@
 namespace rt {
 namespace {
 
-constexpr int most_scans = 100; // progressive files have about ten; each is a pass over the whole picture
+constexpr int most_scans = 100; // progressive files have about ten scans; each is a pass over the whole image
 
 struct Decoder {
     jpeg_decompress_struct info{};
@@ -49,7 +50,7 @@ void watch_scans(j_common_ptr info) {
     std::longjmp(decoder.back, 1);
 }
 
-/// False if it fails; `reason` says why then.
+/// Reads the header. Returns false on failure; `reason` then says why.
 bool read_header(Decoder& decoder, const unsigned char* bytes, unsigned long size) {
     jpeg_decompress_struct& info = decoder.info;
     info.err = jpeg_std_error(&decoder.errors);
@@ -58,7 +59,7 @@ bool read_header(Decoder& decoder, const unsigned char* bytes, unsigned long siz
     decoder.progress.progress_monitor = watch_scans;
     info.client_data = &decoder;
     if (setjmp(decoder.back) != 0) return false;
-    jpeg_create_decompress(&info); // which keeps err and client_data
+    jpeg_create_decompress(&info); // keeps err and client_data
     info.progress = &decoder.progress;
     jpeg_mem_src(&info, bytes, size);
     jpeg_read_header(&info, TRUE);
@@ -78,7 +79,7 @@ bool read_rows(Decoder& decoder, unsigned char* rows) {
     return true;
 }
 
-/// A value of red, green or blue. Adobe's programs store ink the other way round.
+/// Returns a value of red, green or blue. Adobe's programs store inverted ink values.
 std::uint16_t without_ink(int ink, int black, bool adobe) {
     const int light = adobe ? ink * black : (255 - ink) * (255 - black);
     return std::uint16_t((light * 257 + 127) / 255);

@@ -1,4 +1,4 @@
-// JPEG through libjpeg, where stb_image is too old to read every file safely.
+// Decodes JPEG through libjpeg, for builds whose stb_image is too old to read every file safely.
 #pragma once
 
 #include "common/image/image_file.h"
@@ -7,9 +7,9 @@
 
 namespace rt {
 
-/// Grey, YCbCr, RGB, CMYK and YCCK, baseline and progressive. Data that is damaged or ends early is decoded
-/// as far as it goes, with a `flaw`. Throws Error with the reason for all else, and for what size_error()
-/// refuses; where the build has no libjpeg, for all.
+/// Decodes grey, YCbCr, RGB, CMYK and YCCK, baseline and progressive. Damaged or truncated data is decoded as
+/// far as possible, with a `flaw`. Throws Error with the reason for everything else, and for a size that
+/// size_error() rejects. In a build without libjpeg, it always throws.
 Bitmap decode_with_libjpeg(std::string_view bytes, std::int64_t pixels_left);
 
 } // namespace rt

@@ -1,6 +1,6 @@
-// The one place where the code of stb_image and stb_image_write is compiled: by our compiler, so that the
-// sanitizers and cross builds cover it. bitmap_file.cpp looks at a file before stb_image decodes it: it can
-// say what is too large or cut short.
+// Compiles stb_image and stb_image_write once, with our flags, so that sanitizers and cross builds cover it.
+// bitmap_file.cpp checks a file before stb_image decodes it, so that a message can say whether it is
+// too large or truncated.
 #include "common/image/stb_memory.h"
 
 #include <cstdlib>

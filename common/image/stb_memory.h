@@ -1,15 +1,15 @@
-// How much memory stb_image may take: it believes what a file says of itself.
+// Limits the memory that stb_image may allocate, since it trusts the sizes stated in a file.
 #pragma once
 
 #include <cstddef>
 
 namespace rt {
 
-/// Of this thread. stb_image gets blocks of zeros (so that what it leaves out is black, never what lay in
-/// memory before), and none that is larger than this.
+/// Memory limits of the current thread. stb_image gets zeroed blocks, so that pixels it does not write are
+/// black instead of uninitialised memory, and no block larger than `largest_block`.
 struct StbMemory {
-    std::size_t largest_block = std::size_t(1) << 17; ///< bytes; as much as reading a header takes
-    bool was_refused = false;                         ///< a larger block was asked for
+    std::size_t largest_block = std::size_t(1) << 17; ///< bytes; enough for reading a header
+    bool was_refused = false;                         ///< a larger block was requested
 };
 
 inline thread_local StbMemory stb_memory;

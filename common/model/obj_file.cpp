@@ -1,5 +1,4 @@
-// A Wavefront OBJ file as plain arrays: read in chunks, which are put together; then cut into triangles, each
-// with its material.
+// Reads a Wavefront OBJ file: parses chunks, joins them, triangulates the faces, and loads materials.
 #include "common/model/obj_file.h"
 
 #include "common/util/error.h"
@@ -18,7 +17,7 @@
 namespace rt {
 namespace {
 
-/// The materials of the file and its libraries, while its lines are read in order.
+/// The materials of the file's libraries, and the current one while the lines are read in order.
 class Materials {
   public:
     explicit Materials(const std::string& path) : libraries(path) {}
@@ -33,20 +32,21 @@ class Materials {
         }
     }
 
-    int current = -1; ///< -1 is the default
+    int current = -1; ///< -1: the default material
     MaterialLibraries libraries;
     std::vector<tinyobj::material_t> list;
 
   private:
     std::map<std::string, int> numbers;
-    std::set<std::string> names; ///< of the libraries so far
+    std::set<std::string> names; ///< names of the libraries read so far
 };
 
-/// Each chunk's faces into triangles. `file.triangle_materials` holds numbers in `materials.list` then.
+/// Triangulates the faces of all chunks. Afterwards `file.triangle_materials`
+/// holds indices into `materials.list`.
 void triangulate_faces(std::deque<ParsedChunk>& chunks, Materials& materials, Triangles& triangles) {
     int smoothing = -1;
     for (ParsedChunk& kept : chunks) {
-        const ParsedChunk chunk = std::move(kept); // and its memory is given back
+        const ParsedChunk chunk = std::move(kept); // its memory is freed at the end of this iteration
         auto material = chunk.material_lines.begin();
         auto group = chunk.smoothing_lines.begin();
         const ObjIndex* corner = chunk.corners.data();
@@ -62,15 +62,16 @@ void triangulate_faces(std::deque<ParsedChunk>& chunks, Materials& materials, Tr
     }
 }
 
-/// Converts the materials that are used, in the order of their files; the default, if it is used, comes last.
+/// Converts the materials that are used, in the order of their files; the default
+/// material, if used, comes last.
 void keep_used_materials(const std::string& path, const Materials& materials, ObjModel& file) {
-    const std::size_t count = materials.list.size(); // stands for the default, which is called -1 so far
+    const std::size_t count = materials.list.size(); // the index of the default material, which is -1 so far
     std::vector<int> number(count + 1, -1);
     for (int& material : file.triangle_materials) {
         if (material < 0) material = int(count);
         number[std::size_t(material)] = 0;
     }
-    ObjMaterial plain; // where the file names none: grey, or the colors of the vertices alone
+    ObjMaterial plain; // the default material: grey, or the vertex colours alone
     if (!file.colors.empty()) plain.diffuse = vec3(1);
     TextureLoader textures(path);
     for (std::size_t i = 0; i <= count; ++i) {
@@ -109,10 +110,10 @@ void warn_of_skipped(const std::string& path, const SkippedLines& skipped) {
     };
     say(skipped.normals, "a normal that is not finite is left out");
     say(skipped.uvs, "a texture coordinate that is not finite is left out");
-    say(skipped.materials, "usemtl names no material; what follows has the default one");
+    say(skipped.materials, "usemtl names no material; the faces that follow get the default one");
     say(skipped.libraries, "mtllib names no file and is left out");
-    say(skipped.normal_corners, "a corner names a normal that does not exist and gets none");
-    say(skipped.uv_corners, "a corner names a texture coordinate that does not exist and gets none");
+    say(skipped.normal_corners, "a face vertex names a normal that does not exist and gets none");
+    say(skipped.uv_corners, "a face vertex names a texture coordinate that does not exist and gets none");
 }
 
 } // namespace
@@ -134,7 +135,7 @@ ObjModel read_obj(const std::string& path, const ObjReadOptions& reading) {
         warn(path + ": " + std::to_string(triangles.without_area()) + " triangles without area are left out");
     if (const std::size_t turned = triangles.turn_faces(); turned > 0)
         warn(path + ": " + std::to_string(turned) + " of " + std::to_string(summary.faces) +
-             " faces wind against their normals and are turned");
+             " faces wind against their normals and are flipped");
     keep_used_materials(path, materials, file);
     return file;
 }

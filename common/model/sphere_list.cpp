@@ -1,4 +1,4 @@
-// Reads a list of balls line by line; what is wrong with a line is said in one, with its number.
+// Reads a list of spheres line by line. An error is one line that names the file and the line number.
 #include "common/model/sphere_list.h"
 
 #include "common/util/error.h"
@@ -16,7 +16,7 @@ namespace {
 constexpr std::string_view columns = "material,x,y,z,radius,red,green,blue,fuzz_or_ior";
 constexpr std::uintmax_t max_bytes = std::uintmax_t(1) << 30;
 
-/// What stands between the commas, without blanks around it.
+/// Returns the values between the commas, without blanks around them.
 std::vector<std::string> split(std::string_view line) {
     std::vector<std::string> words(1);
     for (const char c : line) {
@@ -29,7 +29,7 @@ std::vector<std::string> split(std::string_view line) {
     return words;
 }
 
-/// One line of the file, taken apart.
+/// One line of the file, split into values.
 struct CsvRow {
     const std::string& path;
     int line;
@@ -82,7 +82,7 @@ std::vector<SphereRecord> read_sphere_list(const std::string& path) {
     blank_byte_order_mark(text);
     unify_line_ends(text);
     std::vector<SphereRecord> spheres;
-    bool named = false; // the columns
+    bool named = false; // true once the line with the column names has been read
     int line = 0;
     for (std::size_t begin = 0; begin < text.size();) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());
@@ -94,7 +94,7 @@ std::vector<SphereRecord> read_sphere_list(const std::string& path) {
             row.refuse("the first line must name the columns: " + std::string(columns));
         named = true;
     }
-    if (spheres.empty()) throw Error(path + ": has no ball in it");
+    if (spheres.empty()) throw Error(path + ": contains no spheres");
     return spheres;
 }
 

@@ -1,4 +1,4 @@
-// Draws one line over and over with a carriage return: it works on every terminal and needs no colour.
+// Draws a progress line on a terminal, redrawn after a carriage return; it needs no colour or cursor control.
 
 #include "common/render/progress.h"
 
@@ -18,7 +18,7 @@ namespace rt {
 
 namespace {
 
-/// 1 is stdout, 2 is stderr, on every system.
+/// Returns whether a stream is a terminal: 1 is stdout, 2 is stderr, on every system.
 bool is_terminal(int stream) {
 #if defined(_WIN32)
     return _isatty(stream) != 0;
@@ -27,7 +27,8 @@ bool is_terminal(int stream) {
 #endif
 }
 
-/// Characters a line of the terminal holds. The last stays free: a terminal wraps when it is written.
+/// Returns the usable width of the terminal. The last column stays free: some terminals
+/// wrap when it is written.
 int columns() {
 #if defined(TIOCGWINSZ)
     winsize size{};
@@ -36,7 +37,7 @@ int columns() {
     return 79;
 }
 
-/// "0:07", "12:30", "1:02:03"
+/// Returns a duration in the form "0:07", "12:30" or "1:02:03".
 std::string clock_time(double seconds) {
     const long long whole = (long long)(std::min(seconds, 1e9) + 0.5);
     std::array<char, 32> text{};
@@ -48,7 +49,8 @@ std::string clock_time(double seconds) {
     return text.data();
 }
 
-/// As much of bar, percent and time left as `width` characters hold: the bar goes first, the percent last.
+/// Returns as much of bar, percentage and remaining time as fits into `width` characters. The bar is dropped
+/// first, the percentage last.
 std::string progress_line(float share, double seconds, int width) {
     std::array<char, 8> percent{};
     std::snprintf(percent.data(), percent.size(), "%3d %%", int(share * 100));
@@ -65,7 +67,7 @@ std::string progress_line(float share, double seconds, int width) {
     return int(line.size()) <= width ? line : "";
 }
 
-/// Puts `line` in the place of whatever stood there.
+/// Overwrites the current terminal line with `line`.
 void draw(std::string line, int width) {
     line.resize(std::size_t(std::max(width, 0)), ' ');
     line = "\r" + line + "\r";

@@ -1,14 +1,15 @@
-// The bar on a terminal: how much is done and how long the rest will take. Silent when nobody is watching.
+// A progress bar on a terminal: the finished part and the remaining time. Silent without a terminal.
 #pragma once
 
 #include <chrono>
 
 namespace rt {
 
-/// Whether what goes to stderr is read as it comes, by a person.
+/// Returns whether stderr is a terminal.
 bool stderr_is_terminal();
 
-/// Draws on stderr, and only if that is a terminal and `quiet` is false. The destructor wipes the line.
+/// Draws a bar on stderr, unless `quiet` is set or stdout or stderr is not a terminal.
+/// The destructor erases it.
 class Progress {
   public:
     explicit Progress(bool quiet);
@@ -16,7 +17,7 @@ class Progress {
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    /// `share` in [0, 1]; draws at most ten times a second.
+    /// Shows the finished part, `share` in [0, 1]. Draws at most ten times per second.
     void show(float share);
 
   private:

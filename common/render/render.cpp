@@ -1,5 +1,6 @@
-// Hands out tiles to threads. What makes the picture independent of them: a pixel belongs to one tile, its
-// samples are added in order by one thread, and its random numbers are keyed by its place in the whole.
+// Renders tiles on several threads; the image does not depend on their number.
+// The reasons: a pixel belongs to one tile, one thread adds its samples in order, and its random numbers are
+// keyed by its position in the whole image.
 
 #include "common/render/render.h"
 
@@ -23,7 +24,8 @@ namespace rt {
 
 namespace {
 
-/// Side of a tile in pixels: small when there are few, so that the last thread does not work alone for long.
+/// Returns the side of a tile in pixels. Small images get small tiles, so that no thread works
+/// alone for long at the end.
 int tile_side(const Crop& crop, int threads) {
     const std::int64_t pixels = std::int64_t(crop.x1 - crop.x0) * (crop.y1 - crop.y0);
     int side = 16;
@@ -31,7 +33,7 @@ int tile_side(const Crop& crop, int threads) {
     return side;
 }
 
-/// The crop cut into squares, counted in reading order.
+/// The crop divided into square tiles, numbered in reading order.
 struct Tiles {
     Crop crop;
     int side;
@@ -50,7 +52,8 @@ int requested_threads(const RenderSettings& settings) {
     return settings.threads > 0 ? settings.threads : usable_cores();
 }
 
-/// An empty crop, which a RenderSettings has until a command line is parsed, stands for the whole.
+/// Returns the part to render. An empty crop, the initial value of RenderSettings,
+/// stands for the whole image.
 Crop crop_window(const RenderSettings& settings) {
     const bool empty = settings.crop.x1 == 0 && settings.crop.y1 == 0;
     return empty ? Crop{0, 0, settings.width, settings.height} : settings.crop;
@@ -61,20 +64,21 @@ Tiles tiles_of(const RenderSettings& settings) {
     return {part, tile_side(part, requested_threads(settings))};
 }
 
-/// The samples of one pixel, in order. In doubles a sum of 2^20 equal floats is exact: constants stay.
+/// Accumulates the samples of one pixel, in order. A sum of 2^20 equal floats is exact in double, so
+/// constants keep their value.
 class PixelSum {
   public:
     void add(vec3 radiance) {
         sum += glm::dvec3(radiance);
         ++count;
-        // Welford 1962: the squares of differences, where a difference of squares would cancel.
+        // Welford 1962: sums squared differences; a difference of squares would suffer cancellation.
         const double value = double(luminance(radiance));
         const double before = value - mean_luminance;
         mean_luminance += before / count;
         squares += before * (value - mean_luminance);
     }
     vec3 mean() const { return vec3(sum / double(count)); }
-    /// Of the mean: the variance of one sample, which is squares / (count - 1), over count.
+    /// Returns the variance of the mean: the variance of one sample, squares / (count - 1), divided by count.
     float variance() const { return count > 1 ? float(squares / (double(count) * (count - 1))) : 0.0f; }
 
   private:
@@ -84,10 +88,10 @@ class PixelSum {
     double squares = 0;
 };
 
-/// What one thread has found besides colours.
+/// The results of one thread besides the pixels.
 struct ThreadResult {
     std::uint64_t invalid_samples = 0;
-    int y = std::numeric_limits<int>::max(), x = 0, sample = 0; ///< the first one's place
+    int y = std::numeric_limits<int>::max(), x = 0, sample = 0; ///< position of the first invalid sample
     RayStats ray_stats;
 
     void keep_first(int other_y, int other_x, int other_sample) {
@@ -126,7 +130,7 @@ class RenderJob {
     const std::function<void(float)>& progress;
     Film film; ///< every pixel is written by one thread, so the images need no lock
     std::atomic<std::int64_t> next = 0;
-    std::mutex mutex; ///< of all below
+    std::mutex mutex; ///< guards the members below
     std::int64_t finished = 0;
     ThreadResult total;
     std::exception_ptr failure;
@@ -163,7 +167,8 @@ void RenderJob::finish_tile() {
     if (progress) progress(float(double(finished) / double(tiles.count())));
 }
 
-// One thread's share of the work. What is thrown here is kept for the caller and ends the other threads soon.
+// Renders tiles until none are left; runs on each thread. An exception is kept for the caller and makes the
+// other threads stop soon.
 void RenderJob::work() noexcept {
     ThreadResult found;
     try {
@@ -176,12 +181,12 @@ void RenderJob::work() noexcept {
         const std::lock_guard lock(mutex);
         if (!failure) failure = std::current_exception();
     }
-    found.ray_stats = ray_stats; // a new thread's starts at zero
+    found.ray_stats = ray_stats; // thread-local, starts at zero in a new thread
     const std::lock_guard lock(mutex);
     total += found;
 }
 
-/// Fewer threads than asked for, where the system gives no more, still finish the picture.
+/// Starts the threads. If the system gives fewer than requested, those still finish the image.
 void RenderJob::start(std::vector<std::thread>& workers, int threads) {
     workers.reserve(std::size_t(threads));
     try {
@@ -209,13 +214,13 @@ Film RenderJob::run(int threads) {
 } // namespace
 
 std::string size_error(const Crop& crop) {
-    constexpr double bytes_per_pixel = 24; // of the two images
+    constexpr double bytes_per_pixel = 24; // for the two images of a Film
     const int width = crop.x1 - crop.x0, height = crop.y1 - crop.y0;
     const double needed = bytes_per_pixel * width * height + double(memory_to_write(width, height));
     const double usable = double(usable_memory());
     if (usable == 0 || needed <= usable) return size_error(width, height);
     std::array<char, 128> text{};
-    std::snprintf(text.data(), text.size(), "(%d x %d) needs %.1f GB of memory, and %.1f GB may be used",
+    std::snprintf(text.data(), text.size(), "(%d x %d) needs %.1f GB of memory, and %.1f GB are available",
                   width, height, needed * 1e-9, usable * 1e-9);
     return text.data();
 }

@@ -1,4 +1,4 @@
-// What every render needs to know: the size of the image, its samples, threads and files.
+// Settings of every render: the size of the image, its samples, threads and files.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 
 namespace rt {
 
-/// A part of the image: columns x0 <= x < x1 and rows y0 <= y < y1 of the whole.
+/// A part of the image: columns x0 <= x < x1 and rows y0 <= y < y1 of the whole image.
 struct Crop {
     int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 };

@@ -1,4 +1,4 @@
-// One way to put something into a list that is referred to by index.
+// Appends items to lists whose elements are referred to by index.
 #pragma once
 
 #include <type_traits>

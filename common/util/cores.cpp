@@ -1,4 +1,4 @@
-// Linux: sched_getaffinity(2), and the quota of control groups, version 2. Other systems: all cores.
+// Linux: sched_getaffinity(2) and the CPU quota of control groups, version 2. Other systems: all cores.
 #include "common/util/cores.h"
 
 #include <algorithm>
@@ -36,12 +36,13 @@ std::string first_line(const std::filesystem::path& path) {
     return line;
 }
 
-/// The least quota of this process's control group and those around it; 0 without any.
+/// Returns the smallest quota, in cores, of this process's control group and its ancestors,
+/// or 0 if there is none.
 int cores_of_groups() {
     std::string own;
     std::ifstream groups("/proc/self/cgroup");
     while (std::getline(groups, own) && own.rfind("0::/", 0) != 0) {
-    } // "0::/outer/inner" is that of version 2
+    } // "0::/outer/inner" is the line of version 2
     if (!groups) return 0;
     const std::filesystem::path root = "/sys/fs/cgroup";
     int least = 0;
@@ -57,7 +58,7 @@ int cores_of_groups() {
 int cores_of_quota(std::string_view cpu_max) {
     long long quota = 0, period = 0;
     const char* const end = cpu_max.data() + cpu_max.size();
-    const auto [blank, problem] = std::from_chars(cpu_max.data(), end, quota); // "max" is no number
+    const auto [blank, problem] = std::from_chars(cpu_max.data(), end, quota); // "max" means no limit
     if (problem != std::errc() || blank == end || *blank != ' ') return 0;
     if (std::from_chars(blank + 1, end, period).ec != std::errc() || quota <= 0 || period <= 0) return 0;
     return int(std::min<long long>((quota - 1) / period + 1, 1 << 20));

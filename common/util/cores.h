@@ -10,11 +10,12 @@ namespace rt {
 /// `taskset` sets), and no more than the quota of its control groups (which a container has).
 int usable_cores();
 
-/// Returns the cores of a control group's file cpu.max, "quota period" in microseconds, rounded up; 0 if it
-/// sets no limit or is not such a file.
+/// Returns the number of cores that a control group's cpu.max allows ("quota period" in microseconds),
+/// rounded up; 0 if it sets no limit or cannot be parsed.
 int cores_of_quota(std::string_view cpu_max);
 
-/// Returns the bytes of memory that this process may have: the machine's, or less by `ulimit -v`; 0 if unknown.
+/// Returns how many bytes of memory this process may use: the machine's, or less by
+/// `ulimit -v`; 0 if unknown.
 std::int64_t usable_memory();
 
 } // namespace rt

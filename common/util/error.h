@@ -1,4 +1,4 @@
-// Bad input, said in one line: what is wrong, where, and what to do. Programs print it and exit with 2.
+// An input error in one line: what is wrong, where, and what to do. Programs print it and exit with 2.
 #pragma once
 
 #include <stdexcept>

@@ -1,5 +1,4 @@
-// Whole files as bytes: the file system's many ways to say no, each turned into one line that says what to
-// do.
+// Reads and writes whole files. Every failure of the file system becomes one line that says what to do.
 #include "common/util/file_bytes.h"
 
 #include "common/util/error.h"
@@ -17,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The temporary file of a write under way, or null: all that a signal handler may look at.
+/// The temporary file of the current write, or null. Atomic, because a signal handler reads it.
 std::atomic<const char*> unfinished_file = nullptr;
 static_assert(std::atomic<const char*>::is_always_lock_free);
 
@@ -29,18 +28,18 @@ std::string reason_of(const std::error_code& failure) {
     return " (" + failure.message() + ")";
 }
 
-/// What the system said last.
+/// Returns errno as an error code.
 std::error_code last_failure() {
     return {errno, std::generic_category()};
 }
 
-/// Where the bytes go in the end: a link stays a link, and the file that it names is written, even if it does
-/// not exist yet. A file with several names (hard links) is replaced under this name alone.
+/// Resolves symbolic links: a link stays, and the file that it names is written, even if that does not exist
+/// yet. A file with several hard links is replaced under this name alone.
 fs::path final_place(const std::string& path) {
     fs::path place = path;
     std::error_code failure;
     for (int links = 0; fs::is_symlink(fs::symlink_status(place, failure)); ++links) {
-        if (links == 40) throw Error(path + ": its links lead in a circle; choose another name");
+        if (links == 40) throw Error(path + ": its symbolic links form a loop; choose another name");
         place = place.parent_path() / fs::read_symlink(place, failure);
     }
     return place;
@@ -50,8 +49,8 @@ fs::path folder_of(const fs::path& place) {
     return place.has_parent_path() ? place.parent_path() : fs::path(".");
 }
 
-/// A file beside `place` that takes its name once it is complete, and is removed otherwise. Its own name is
-/// short, since that of `place` may be as long as the system allows, and random, so that it is nobody else's.
+/// A temporary file beside `place` that is renamed to it once complete, and removed otherwise. Its name is
+/// short, since the name of `place` may be as long as the system allows, and random, so that it is unique.
 class Temporary {
   public:
     explicit Temporary(const fs::path& place_)
@@ -61,21 +60,21 @@ class Temporary {
     ~Temporary() {
         std::error_code ignored;
         if (!renamed) fs::remove(name, ignored);
-        unfinished_file = nullptr; // last, so that an interrupt in between still finds the name
+        unfinished_file = nullptr; // last, so that a signal handler still finds the name
     }
     Temporary(const Temporary&) = delete;
     Temporary& operator=(const Temporary&) = delete;
 
-    /// Gives the file the permissions of the old one, then the bytes. Returns what went wrong.
+    /// Gives the temporary file the permissions of the old file, then writes the bytes. Returns the error.
     std::error_code write(std::string_view bytes) const {
         std::FILE* const file = std::fopen(name.c_str(), "wbx");
         if (!file) return last_failure();
         std::error_code failure;
         const fs::file_status old = fs::status(place, failure);
         if (fs::exists(old)) fs::permissions(name, old.permissions(), failure);
-        failure.clear(); // a file system without permissions is none of our business
+        failure.clear(); // not an error: some file systems have no permissions
         if (std::fwrite(bytes.data(), 1, bytes.size(), file) != bytes.size()) failure = last_failure();
-        const bool closed = std::fclose(file) == 0; // the last bytes go to the disk here
+        const bool closed = std::fclose(file) == 0; // buffered bytes are written here
         return failure || closed ? failure : last_failure();
     }
     std::error_code rename() {
@@ -99,7 +98,7 @@ void check_target(const std::string& path, const fs::path& place) {
     if (!fs::exists(status)) return;
     if (!fs::is_regular_file(status))
         throw Error(path + ": is a device or a pipe, not a plain file; choose another name");
-    if (!std::ofstream(place, std::ios::binary | std::ios::app)) // opened at its end, so nothing changes
+    if (!std::ofstream(place, std::ios::binary | std::ios::app)) // append mode, so nothing changes
         throw Error(path + ": exists and is write-protected; choose another name or allow writing");
 }
 
@@ -111,7 +110,7 @@ void check_folder(const std::string& path, const fs::path& place) {
     if (!fs::is_directory(folder, ignored)) throw Error(path + ": " + folder.string() + " is not a folder");
 }
 
-/// Throws Error unless something may be put at `path`; returns where it goes.
+/// Returns the path to write for `path`, with links resolved. Throws Error if no file can be written there.
 fs::path checked_place(const std::string& path) {
     const fs::path place = final_place(path);
     check_folder(path, place);
@@ -135,7 +134,7 @@ InputFile::InputFile(const std::string& path_, std::uintmax_t max_bytes) : path(
     if (left > max_bytes)
         throw Error(path + ": is too large (" + megabytes(left) + ", at most " + megabytes(max_bytes) + ")");
     stream.open(fs::path(path), std::ios::binary);
-    if (!stream) throw Error(path + ": cannot be opened; is reading it allowed?");
+    if (!stream) throw Error(path + ": cannot be opened; check its permissions");
 }
 
 void InputFile::read(char* bytes, std::size_t count) {
@@ -169,14 +168,14 @@ void write_file(const std::string& path, std::string_view bytes) {
     const std::error_code failure = temporary.write(bytes);
     if (failure)
         throw Error(path + ": cannot be written" + reason_of(failure) +
-                    "; an older file of that name is untouched");
+                    "; an existing file of that name is unchanged");
     if (const std::error_code refused = temporary.rename())
-        throw Error(path + ": cannot be put in place" + reason_of(refused));
+        throw Error(path + ": cannot be renamed to its final name" + reason_of(refused));
 }
 
 void discard_unfinished_file() noexcept {
     const char* const name = unfinished_file.exchange(nullptr);
-    if (name) std::remove(name); // no more than a call of unlink, which a handler may make
+    if (name) std::remove(name); // only calls unlink, which is allowed in a signal handler
 }
 
 } // namespace rt

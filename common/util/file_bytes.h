@@ -1,4 +1,4 @@
-// Whole files as bytes: read with one clear line when that is not possible, written whole or not at all.
+// Reads and writes whole files as bytes. A write either completes or leaves the old file unchanged.
 #pragma once
 
 #include <cstdint>
@@ -8,15 +8,14 @@
 
 namespace rt {
 
-/// A plain file that is read from its beginning to its end.
+/// A regular file, read from beginning to end.
 class InputFile {
   public:
-    /// Throws Error for a file that is missing, a folder, a device, not readable, or of more than
-    /// `max_bytes`.
+    /// Throws Error if the file is missing, a folder, a device, not readable, or larger than `max_bytes`.
     explicit InputFile(const std::string& path_, std::uintmax_t max_bytes = std::uintmax_t(1) << 36);
 
     std::uintmax_t bytes_left() const { return left; }
-    /// The next `count` bytes, no more than are left. Throws Error if they cannot be read.
+    /// Reads the next `count` bytes, at most bytes_left(). Throws Error if they cannot be read.
     void read(char* bytes, std::size_t count);
 
   private:
@@ -25,22 +24,22 @@ class InputFile {
     std::ifstream stream;
 };
 
-/// The bytes of a plain file. Throws Error for one that is missing, a folder, a device, not readable, or of
-/// more than `max_bytes`.
+/// Returns the bytes of a regular file. Throws Error if it is missing, a folder, a device, not readable,
+/// or larger than `max_bytes`.
 std::string read_file(const std::string& path, std::uintmax_t max_bytes = std::uintmax_t(1) << 36);
 
-/// Twelve random hexadecimal digits, for a name that no other program chooses.
+/// Returns twelve random hexadecimal digits, for a unique file name.
 std::string random_digits();
 
-/// Throws Error if write_file could not put a file at `path`. Leaves no trace.
+/// Throws Error if write_file could not write a file at `path`. Leaves no trace.
 void check_file_writable(const std::string& path);
 
-/// Writes a temporary file in the same folder, makes sure that every byte arrived, and renames it. If that
-/// fails, the old file stays as it was and the temporary one is gone. A link stays a link: the file that it
-/// names is written. The permissions of an old file stay. Throws Error with the system's reason.
+/// Writes a temporary file in the same folder, checks that every byte was written, and renames it. On failure
+/// the old file stays unchanged and the temporary one is removed. If `path` is a symbolic link, the file that
+/// it names is written. The permissions of an old file are kept. Throws Error with the system's reason.
 void write_file(const std::string& path, std::string_view bytes);
 
-/// For a signal handler that ends the program: removes the temporary file of a write_file that is under way.
+/// Removes the temporary file of a write_file in progress. For a signal handler that ends the program.
 void discard_unfinished_file() noexcept;
 
 } // namespace rt

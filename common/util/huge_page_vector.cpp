@@ -1,4 +1,4 @@
-// Where a HugePageVector gets its memory.
+// Allocates the memory of a HugePageVector.
 #include "common/util/huge_page_vector.h"
 
 #include <cstdlib>
@@ -23,7 +23,7 @@ std::size_t alignment(std::size_t bytes) {
 } // namespace
 
 void* huge_page_allocate(std::size_t bytes) {
-    // Whole pages only: the rest of the last one would belong to other data.
+    // Whole huge pages only: otherwise the rest of the last page would belong to other data.
     const std::size_t whole = (bytes + huge_page - 1) / huge_page * huge_page;
     void* const memory =
         ::operator new(in_huge_pages(bytes) ? whole : bytes, std::align_val_t(alignment(bytes)));

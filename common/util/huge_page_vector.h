@@ -1,5 +1,5 @@
-// Vectors of millions: on whole cache lines and, where the system has them, in huge pages, since a ray that
-// reads anywhere in 200 MB otherwise spends its time on page table misses.
+// Vectors for millions of elements, aligned to cache lines and in huge pages where the system has them.
+// Without huge pages, random reads in 200 MB spend most of their time on TLB misses.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +10,8 @@
 
 namespace rt {
 
-/// Returns memory aligned to 128 bytes; from 1 MB on to 2 MB, in whole huge pages if the system gives any.
-/// Throws std::bad_alloc.
+/// Returns memory aligned to 128 bytes; blocks of 1 MB or more are aligned to 2 MB and in whole huge pages,
+/// if the system provides them. Throws std::bad_alloc.
 void* huge_page_allocate(std::size_t bytes);
 void huge_page_free(void* memory, std::size_t bytes) noexcept;
 
@@ -29,7 +29,7 @@ struct HugePageAllocator {
     }
     void deallocate(T* memory, std::size_t count) noexcept { huge_page_free(memory, count * sizeof(T)); }
 
-    /// resize() does not initialise: who asks for millions of numbers writes each of them soon.
+    /// Does not initialise in resize(): callers write all elements soon after.
     template <typename U>
     void construct(U* address) noexcept(std::is_nothrow_default_constructible_v<U>) {
         ::new (static_cast<void*>(address)) U;

@@ -1,5 +1,5 @@
-// match(variant, arms...): calls the one arm that takes what the variant holds.
-// An alternative that no arm takes is a compile error, which is how the compiler names every place to extend.
+// match(variant, arms...): calls the arm that accepts the variant's current alternative.
+// An alternative that no arm accepts is a compile error, so the compiler lists every place to extend.
 #pragma once
 
 #include <utility>
@@ -12,7 +12,7 @@ struct Overloaded : Arms... {
     using Arms::operator()...;
 };
 template <typename... Arms>
-Overloaded(Arms...) -> Overloaded<Arms...>; // Clang 14 does not deduce this by itself
+Overloaded(Arms...) -> Overloaded<Arms...>; // Clang 14 does not deduce this on its own
 
 template <typename Variant, typename... Arms>
 constexpr decltype(auto) match(Variant&& variant, Arms&&... arms) {

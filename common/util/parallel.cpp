@@ -1,5 +1,5 @@
-// A pool of threads that wait for work: to start a thread takes a tenth of a millisecond, and in that time a
-// tree of a thousand triangles is built.
+// A pool of threads that wait for work.
+// Starting a thread takes 0.1 ms, enough time to build a tree of a thousand triangles.
 #include "common/util/parallel.h"
 
 #include "common/util/cores.h"
@@ -17,7 +17,8 @@
 namespace rt {
 namespace {
 
-/// The second function of a parallel_invoke(), which owns it until it is done.
+/// The second function of a parallel_invoke() call. The call waits until it is done, so the
+/// task lives on its stack.
 struct Task {
     const std::function<void()>& work;
     std::exception_ptr failure = nullptr;
@@ -28,7 +29,7 @@ class Pool {
   public:
     ~Pool() { resize(1); }
 
-    /// Ends all workers if their number changes; the next invoke() starts new ones, one fewer than `threads`.
+    /// Ends all workers if their number changes; the next invoke() starts `threads` - 1 new ones.
     void resize(int threads) {
         if (max_workers == threads - 1) return;
         {
@@ -45,7 +46,8 @@ class Pool {
 
     bool is_serial() const { return max_workers == 0; }
 
-    /// A thread that waits for its task runs others in the meantime, its own one first.
+    /// Runs both functions. While the second one is not done, the calling thread runs queued
+    /// tasks, the newest first.
     void invoke(const std::function<void()>& first, const std::function<void()>& second) {
         Task task{second};
         submit(task);
@@ -71,9 +73,9 @@ class Pool {
 
   private:
     std::mutex mutex;
-    std::condition_variable changed; ///< a task was submitted or is done, or the workers are to end
+    std::condition_variable changed; ///< a task was submitted or is done, or the workers must end
     std::atomic<unsigned> changes = 0;
-    std::deque<Task*> queue; ///< submitted and not yet begun
+    std::deque<Task*> queue; ///< submitted but not started
     std::vector<std::thread> workers;
     std::atomic<int> max_workers = usable_cores() - 1;
     bool ending = false;
@@ -88,7 +90,7 @@ class Pool {
         changed.notify_one();
     }
 
-    /// If the system gives fewer threads, these do all of the work.
+    /// Starts the workers. If the system gives fewer threads, those do all the work.
     void start_workers() {
         try {
             while (int(workers.size()) < max_workers) workers.emplace_back([this] { work(); });
@@ -97,7 +99,7 @@ class Pool {
         }
     }
 
-    /// The oldest task is usually the largest one.
+    /// The loop of a worker. It takes the oldest task, which is usually the largest.
     void work() {
         std::unique_lock lock(mutex);
         while (true) {
@@ -118,7 +120,7 @@ class Pool {
         if (changes == seen) changed.wait(lock);
     }
 
-    /// Runs the task without the lock, and marks it as done with it.
+    /// Runs the task without the lock, then marks it as done with the lock held.
     void finish(Task& task, std::unique_lock<std::mutex>& lock) {
         lock.unlock();
         try {

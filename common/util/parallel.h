@@ -1,4 +1,4 @@
-// Work in parallel: the caller says what is independent, and never sees a thread.
+// Runs work in parallel. The caller says what is independent and never handles threads.
 #pragma once
 
 #include <cstddef>
@@ -11,10 +11,10 @@ namespace rt {
 void set_thread_count(int count);
 
 /// Calls both functions, in any order or in parallel. Either may call parallel_invoke() again. An exception
-/// of one is rethrown here, when neither is running; the other one may then never have begun.
+/// of one is rethrown here once neither is running; the other function may then never have started.
 void parallel_invoke(const std::function<void()>& first, const std::function<void()>& second);
 
-/// Divides 0 to count - 1 into ranges of at least `grain_size` (1 or more) numbers and calls work(begin, end)
+/// Divides 0 to count - 1 into ranges of at least `grain_size` numbers (1 or more) and calls work(begin, end)
 /// for each, in any order or in parallel.
 void parallel_for(std::size_t count, std::size_t grain_size,
                   const std::function<void(std::size_t begin, std::size_t end)>& work);

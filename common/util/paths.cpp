@@ -1,4 +1,4 @@
-// Looks for assets in the few places where they can be.
+// Finds assets in the folders where they may be.
 
 #include "common/util/paths.h"
 
@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#ifndef RT_SOURCE_ASSETS // CMake gives both as absolute paths
+#ifndef RT_SOURCE_ASSETS // CMake sets both to absolute paths
 #define RT_SOURCE_ASSETS "assets"
 #endif
 #ifndef RT_BUILD_ASSETS

@@ -1,13 +1,13 @@
-// Where the project's own assets stand, wherever a program is started from.
+// Finds the project's assets, from any working directory.
 #pragma once
 
 #include <string>
 
 namespace rt {
 
-/// The path of "cow.obj" and the like: looked up in the folder that the environment variable RAYSTEPS_ASSETS
-/// names, then among the committed assets, then among those that the build makes. Throws Error with the
-/// paths tried.
+/// Returns the path of an asset, as in "cow.obj". Searches the folder named by the environment
+/// variable RAYSTEPS_ASSETS, then the committed assets, then the assets made by the build. Throws
+/// Error with the paths tried.
 std::string asset_path(const std::string& name);
 
 } // namespace rt

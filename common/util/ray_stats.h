@@ -1,4 +1,4 @@
-// What the rays of this thread have cost so far: plain counts, added up over the threads after a render.
+// Counts the work done for rays, per thread; a render adds up the counts of its threads.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@ namespace rt {
 
 struct RayStats {
     std::uint64_t rays = 0;           ///< scene queries (`intersect` or `occluded`)
-    std::uint64_t box_tests = 0;      ///< boxes tested on the way through a hierarchy
+    std::uint64_t box_tests = 0;      ///< boxes tested while traversing a hierarchy
     std::uint64_t triangle_tests = 0; ///< triangles tested
 
     RayStats& operator+=(const RayStats& other) {

@@ -1,4 +1,4 @@
-// Each line is written whole, even where other threads print as well.
+// Prints errors and warnings. Each line is written as a whole, even if other threads print as well.
 #include "common/util/report_error.h"
 
 #include "common/util/utf8.h"
@@ -10,7 +10,7 @@
 namespace rt {
 namespace {
 
-/// Whether a terminal obeys this character instead of showing it.
+/// Returns whether a terminal interprets this character instead of showing it.
 bool steers_a_terminal(std::string_view character) {
     const auto byte = [character](std::size_t i) { return static_cast<std::uint8_t>(character[i]); };
     if (character.size() == 1) return byte(0) < 0x20 || byte(0) == 0x7F;
@@ -20,7 +20,8 @@ bool steers_a_terminal(std::string_view character) {
            (byte(1) == 0x81 && byte(2) >= 0xA6 && byte(2) <= 0xA9);   // U+2066 to U+2069
 }
 
-/// Replaces what may not reach a terminal. Characters in `kept` stay; other white space becomes a blank.
+/// Replaces characters that must not reach a terminal. Those in `kept` stay; other white
+/// space becomes a blank.
 std::string replaced(std::string_view text, std::string_view kept) {
     std::string out;
     while (!text.empty()) {

@@ -1,4 +1,4 @@
-// Finds the name that was probably meant, in the order of the edits that it takes: 0, 1, 2.
+// Finds the name that was probably meant: the candidate with the fewest edits, at most two.
 #include "common/util/suggestion.h"
 
 #include <string_view>
@@ -6,7 +6,8 @@
 namespace rt {
 namespace {
 
-/// Whether at most `edits` letters inserted, dropped, replaced or swapped with their neighbour turn a into b.
+/// Returns whether `a` becomes `b` by at most `edits` edits: a letter inserted, deleted, replaced, or
+/// swapped with its neighbour.
 bool within(std::string_view a, std::string_view b, int edits) {
     while (!a.empty() && !b.empty() && a[0] == b[0]) a.remove_prefix(1), b.remove_prefix(1);
     if (a.empty() && b.empty()) return true;

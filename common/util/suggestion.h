@@ -1,4 +1,4 @@
-// The name that was probably meant where one was mistyped.
+// Suggests the name that was probably meant by a mistyped one.
 #pragma once
 
 #include <string>
@@ -6,8 +6,9 @@
 
 namespace rt {
 
-/// Returns " (did you mean --samples?)" for the candidate that at most two letters inserted, dropped, replaced
-/// or swapped with their neighbour make of `typed`, or that begins with it; else "". `dashes` stands before it.
+/// Returns " (did you mean --samples?)" for the candidate that begins with `typed` or differs from it by at
+/// most two edits (a letter inserted, deleted, replaced, or swapped with its neighbour), or "" if there is
+/// none. `dashes` is put before the candidate.
 std::string suggestion(const std::string& typed, const std::vector<std::string>& candidates,
                        const std::string& dashes = "");
 

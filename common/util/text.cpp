@@ -1,5 +1,4 @@
-// Words and numbers in the text of OBJ and MTL files. Numbers are read exactly: as the double that is
-// nearest.
+// Reads words and numbers in the text of OBJ and MTL files. Numbers are rounded to the nearest double.
 #include "common/util/text.h"
 
 #include <algorithm>
@@ -20,7 +19,7 @@ int skip_digits(const char*& at, const char* end) {
     return int(std::min<std::ptrdiff_t>(at - begin, 100000));
 }
 
-/// Reads what follows the 'e' of a number. Returns false where no digit does.
+/// Reads the digits after the 'e' of a number. Returns false if there are none.
 bool read_exponent(const char*& at, const char* end, int& exponent) {
     const bool negative = at < end && *at == '-';
     skip_sign(at, end);
@@ -30,12 +29,13 @@ bool read_exponent(const char*& at, const char* end, int& exponent) {
     return at > begin;
 }
 
-/// All exact, as the powers up to 1e22 are.
+/// Powers of ten, all exact: doubles represent them exactly up to 1e22.
 constexpr std::array<double, 20> powers_of_ten{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,
                                                1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19};
 
-/// A number in its usual spelling, up to 19 digits with perhaps a minus and a point, as the quotient of two
-/// exact doubles, which is rounded once (Clinger, PLDI 1990). Null for any other word.
+/// Reads a number in its usual spelling: up to 19 digits, optionally with a minus and a decimal point. The
+/// value is the quotient of two exact doubles, so it is rounded only once (Clinger, PLDI 1990). Returns
+/// null for any other word.
 const char* read_plain_number(const char* at, const char* end, double& value) {
     const bool negative = *at == '-';
     if (negative) ++at;
@@ -76,7 +76,7 @@ std::string_view number_fault(std::string_view word, int largest_exponent) {
     const char* at = word.data();
     const char* const end = at + word.size();
     skip_sign(at, end);
-    while (at + 1 < end && *at == '0' && is_digit(at[1])) // leading zeros say nothing about the size
+    while (at + 1 < end && *at == '0' && is_digit(at[1])) // leading zeros do not count as digits
         ++at;
     const int whole_digits = skip_digits(at, end);
     int fraction_digits = 0;

@@ -1,4 +1,4 @@
-// The table of well-formed byte sequences (Unicode Standard, table 3-7) as comparisons.
+// Validates UTF-8 by the table of well-formed byte sequences (Unicode Standard, table 3-7).
 #include "common/util/utf8.h"
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// The version, which CMake defines for this file alone: a new one recompiles nothing else.
+// The version. CMake defines it for this file alone, so that a new one recompiles nothing else.
 #include "common/util/version.h"
 
 namespace rt {

@@ -1,9 +1,9 @@
-// Which version of Raysteps this is.
+// The version of Raysteps.
 #pragma once
 
 namespace rt {
 
-/// Returns "Raysteps 1.0.0" and the like, which every --version prints. The number is stated in CMakeLists.txt.
+/// Returns the text that --version prints, as in "Raysteps 1.0.0". CMakeLists.txt defines the number.
 const char* version();
 
 } // namespace rt

@@ -2,12 +2,13 @@
 #include "01_spheres/camera.h"
 #include "01_spheres/radiance.h"
 #include "01_spheres/scene.h"
+#include "01_spheres/program/counted.h"
 #include "01_spheres/program/options.h"
 #include "common/cli/program.h"
 
 using namespace rt;
 
-/// Three balls of different radius on a checkered floor under a summer sky.
+/// Builds three spheres of different radius on a checkered floor under a summer sky.
 Scene three_spheres(float radius, float squares) {
     Scene scene;
     scene.sky = {.nadir = {0.62f, 0.4f, 0.25f}, .zenith = {0.52f, 0.85f, 1.45f}};
@@ -24,7 +25,7 @@ Scene three_spheres(float radius, float squares) {
 
 int main(int argc, char** argv) {
     Options options("01_spheres", "What does a ray see first?", {.width = 640, .height = 400, .samples = 16});
-    const float& radius = options.option("radius", 1.0f, 0.1f, 3.0f, "radius of the middle ball, metres");
+    const float& radius = options.option("radius", 1.0f, 0.1f, 3.0f, "radius of the middle sphere, metres");
     const float& squares =
         options.option("squares", 0.5f, 0.05f, 10.0f, "width of the floor's squares, metres");
     const auto view = view_option(options);
@@ -32,7 +33,7 @@ int main(int argc, char** argv) {
                                        {.from = {0.3f, 1.7f, 5.5f}, .at = {0.1f, 0.75f, 0}, .fov = 36});
 
     return run_program(options, argc, argv, [&](const RenderFunction& render) {
-        const Scene scene = three_spheres(radius, squares);
+        const Counted<Scene> scene{three_spheres(radius, squares)};
         const LookAt look_at = camera_options.look_at();
         const Camera camera = make_camera(look_at, options.settings().width, options.settings().height);
         render([&](PixelSample& sample) {

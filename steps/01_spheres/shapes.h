@@ -4,7 +4,6 @@
 #include "01_spheres/plane.h"
 #include "01_spheres/sphere.h"
 #include "common/util/match.h"
-#include "common/util/ray_stats.h"
 
 #include <variant>
 #include <vector>
@@ -19,7 +18,6 @@ struct Shapes {
 /// Returns the closest hit. Each hit shrinks t_max, so the last accepted hit is the closest. Full surface
 /// data are computed for that one only.
 inline std::optional<Hit> intersect(const Shapes& shapes, Ray ray) {
-    ++ray_stats.rays;
     std::variant<std::monostate, const Sphere*, const Plane*> closest;
     //> try every shape; what hits becomes the closest and shortens the ray
     const auto test = [&](const auto& shape) {

@@ -9,7 +9,6 @@ namespace rt {
 
 /// Returns whether any shape is hit in the ray's interval; the first one found ends the search.
 inline bool occluded(const Shapes& shapes, const Ray& ray) {
-    ++ray_stats.rays;
     //> true as soon as one shape is hit, whichever it is
     const auto hit = [&](const auto& shape) { return intersect(shape, ray).has_value(); };
     return std::ranges::any_of(shapes.spheres, hit) || std::ranges::any_of(shapes.planes, hit);

@@ -1,5 +1,6 @@
 // Step 03 asks: what does the mirror see?
 #include "01_spheres/camera.h"
+#include "01_spheres/program/counted.h"
 #include "01_spheres/program/options.h"
 #include "03_mirror/radiance.h"
 #include "03_mirror/scene.h"
@@ -7,7 +8,8 @@
 
 using namespace rt;
 
-/// Two mirrors that face each other across a few balls: one of steel, one of red lacquer over matte paint.
+/// Builds two mirrors that face each other across three spheres: one of steel, one of red lacquer over matte
+/// paint, and a matte orange one.
 Scene facing_mirrors(float reflectivity) {
     Scene scene;
     scene.sky = {.nadir = {0.75f, 0.4f, 0.22f}, .zenith = {0.1f, 0.28f, 0.7f}};
@@ -33,16 +35,16 @@ Scene facing_mirrors(float reflectivity) {
 
 int main(int argc, char** argv) {
     Options options("03_mirror", "What does the mirror see?", {.width = 640, .height = 400, .samples = 16});
-    const float& reflectivity =
-        options.option("reflectivity", 0.25f, 0.0f, 1.0f, "share of the lacquered ball that is a mirror");
+    const float& reflectivity = options.option("reflectivity", 0.25f, 0.0f, 1.0f,
+                                               "fraction of light that the lacquer reflects like a mirror");
     const int& depth =
-        options.option("depth", 12, 0, 100, "mirrors that a ray may meet; beyond them it is black");
+        options.option("depth", 12, 0, 100, "maximum number of reflections; beyond them the ray is black");
     const auto view = view_option(options);
     const CameraOptions camera_options(options,
                                        {.from = {1.72f, 1.5f, 3.7f}, .at = {-0.62f, 0.74f, 0}, .fov = 43});
 
     return run_program(options, argc, argv, [&](const RenderFunction& render) {
-        const Scene scene = facing_mirrors(reflectivity);
+        const Counted<Scene> scene{facing_mirrors(reflectivity)};
         const LookAt look_at = camera_options.look_at();
         const Camera camera = make_camera(look_at, options.settings().width, options.settings().height);
         render([&](PixelSample& sample) {

@@ -6,7 +6,6 @@
 #include "01_spheres/sphere.h"
 #include "03_mirror/quad.h"
 #include "common/util/match.h"
-#include "common/util/ray_stats.h"
 
 #include <algorithm>
 #include <variant>
@@ -23,7 +22,6 @@ struct Shapes {
 /// Returns the closest hit. Each hit shrinks t_max, so the last accepted hit is the closest. Full surface
 /// data are computed for that one only.
 inline std::optional<Hit> intersect(const Shapes& shapes, Ray ray) {
-    ++ray_stats.rays;
     std::variant<std::monostate, const Sphere*, const Plane*, const Quad*> closest;
     //> try every shape; what hits becomes the closest and shortens the ray
     const auto test = [&](const auto& shape) {
@@ -43,7 +41,6 @@ inline std::optional<Hit> intersect(const Shapes& shapes, Ray ray) {
 
 /// Returns whether any shape is hit in the ray's interval; the first one found ends the search.
 inline bool occluded(const Shapes& shapes, const Ray& ray) {
-    ++ray_stats.rays;
     //> true as soon as one shape is hit, whichever it is
     const auto hit = [&](const auto& shape) { return intersect(shape, ray).has_value(); };
     return std::ranges::any_of(shapes.spheres, hit) || std::ranges::any_of(shapes.planes, hit) ||

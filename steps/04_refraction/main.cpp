@@ -1,5 +1,6 @@
 // Step 04 asks: where does light go in glass?
 #include "01_spheres/camera.h"
+#include "01_spheres/program/counted.h"
 #include "01_spheres/program/options.h"
 #include "04_refraction/radiance.h"
 #include "04_refraction/scene.h"
@@ -7,14 +8,14 @@
 
 using namespace rt;
 
-/// A clear ball, a ball with a bubble of air in it, and a ball of tinted glass, before a few coloured ones.
+/// Builds a clear glass sphere, one with a bubble of air and one of tinted glass, in front of
+/// a few coloured spheres.
 Scene glass_balls(float ior, float bubble, float absorption) {
     Scene scene;
     scene.sky = {.nadir = {0.95f, 0.62f, 0.4f}, .zenith = {0.12f, 0.36f, 0.85f}};
     const Medium glass{ior};
     const int clear = add(scene.materials, Dielectric{glass});
-    const int air =
-        add(scene.materials, Dielectric{Medium{}, glass}); // inside the bubble is air, around it is glass
+    const int air = add(scene.materials, Dielectric{Medium{}, glass}); // inside is air, outside is glass
     const int tinted = add(scene.materials, Dielectric{{ior, absorption * vec3(0.35f, 0.06f, 0.9f)}});
     const int coral = add(scene.materials, Diffuse{{0.85f, 0.25f, 0.18f}});
     const int navy = add(scene.materials, Diffuse{{0.1f, 0.18f, 0.5f}});
@@ -33,19 +34,20 @@ Scene glass_balls(float ior, float bubble, float absorption) {
 int main(int argc, char** argv) {
     Options options("04_refraction", "Where does light go in glass?",
                     {.width = 640, .height = 400, .samples = 9});
-    const float& ior = options.option("ior", 1.5f, 1.0f, 2.5f, "index of refraction of the balls");
+    const float& ior = options.option("ior", 1.5f, 1.0f, 2.5f, "index of refraction of the glass spheres");
     const float& bubble =
-        options.option("bubble", 0.8f, 0.05f, 0.98f, "radius of the bubble, in radii of its ball");
-    const float& absorption = options.option("absorption", 2.5f, 0.0f, 50.0f, "of the tinted ball, 1/m");
-    const int& depth = options.option(
-        "depth", 7, 0, 14,
-        "boundaries that a ray may meet; beyond them it is black; each takes 1.5 times as long");
+        options.option("bubble", 0.8f, 0.05f, 0.98f, "radius of the bubble, in radii of its sphere");
+    const float& absorption =
+        options.option("absorption", 2.5f, 0.0f, 50.0f, "absorption of the tinted glass, 1/m");
+    const int& depth = options.option("depth", 7, 0, 14,
+                                      "maximum number of boundaries along a ray; beyond them it is black; "
+                                      "each more takes 1.5 times as long");
     const auto view = view_option(options);
     const CameraOptions camera_options(options,
                                        {.from = {0.3f, 1.55f, 5.6f}, .at = {0, 0.68f, 0}, .fov = 34});
 
     return run_program(options, argc, argv, [&](const RenderFunction& render) {
-        const Scene scene = glass_balls(ior, bubble, absorption);
+        const Counted<Scene> scene{glass_balls(ior, bubble, absorption)};
         const LookAt look_at = camera_options.look_at();
         const Camera camera = make_camera(look_at, options.settings().width, options.settings().height);
         render([&](PixelSample& sample) {

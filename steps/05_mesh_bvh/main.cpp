@@ -1,4 +1,5 @@
 // Step 05 asks: what if there are a hundred thousand things to hit?
+#include "01_spheres/program/counted.h"
 #include "01_spheres/program/options.h"
 #include "04_refraction/radiance.h"
 #include "05_mesh_bvh/scene.h"
@@ -8,7 +9,9 @@
 
 using namespace rt;
 
-/// A glazed teapot of 57,360 triangles, one of 552 that shows its facets, and a cat.
+const LookAt tea_table_view{.from = {0.35f, 1.5f, 4.2f}, .at = {0.12f, 0.48f, 0}, .fov = 32};
+
+/// Builds a glazed teapot of 57,360 triangles, one of 552 that shows its facets, and a cat.
 LookAt tea_table(Scene& scene) {
     scene.sky = {.nadir = {0.3f, 0.26f, 0.24f}, .zenith = {0.36f, 0.46f, 0.62f}};
     scene.lights = {{{-2.6f, 4.2f, 3.4f}, vec3(50, 45, 37)}};
@@ -23,15 +26,15 @@ LookAt tea_table(Scene& scene) {
     ObjModel coarse = read_obj(asset_path("teapot_coarse.obj"));
     coarse.materials = {{.name = "paper", .diffuse = {0.85f, 0.42f, 0.14f}}};
     for (auto& triangle : coarse.triangles)
-        for (ObjIndex& corner : triangle) corner.normal = -1; // none of its own,
+        for (ObjIndex& corner : triangle) corner.normal = -1; // without its own normals
     transform(coarse, 0.34f, 150, {0.3f, 0, 0.95f});
-    add_model(scene, coarse, 0); // and no smoothing
+    add_model(scene, coarse, 0); // crease 0: no smoothing
 
     ObjModel cat = read_obj(asset_path("cat.obj"));
     cat.materials = {{.name = "chalk", .diffuse = {0.8f, 0.76f, 0.7f}}};
     transform(cat, 0.85f, -50, {1.15f, 0, 0.05f});
     add_model(scene, cat, 40);
-    return {.from = {0.35f, 1.5f, 4.2f}, .at = {0.12f, 0.48f, 0}, .fov = 32};
+    return tea_table_view;
 }
 
 int main(int argc, char** argv) {
@@ -39,14 +42,14 @@ int main(int argc, char** argv) {
                     {.width = 640, .height = 400, .samples = 16});
     const ModelOptions model(options);
     const auto accel = accel_option(options, Accel::bvh);
-    const int& depth = options.option("depth", 6, 0, 24, "mirrors and boundaries that a ray may meet");
+    const int& depth =
+        options.option("depth", 6, 0, 24, "maximum number of reflections and refractions along a ray");
     const auto view = view_option(options);
-    const CameraOptions camera_options(options,
-                                       {.from = {0.35f, 1.5f, 4.2f}, .at = {0.12f, 0.48f, 0}, .fov = 32});
+    const CameraOptions camera_options(options, tea_table_view);
 
     return run_program(options, argc, argv, [&](const RenderFunction& render) {
         const auto [width, height] = std::pair(options.settings().width, options.settings().height);
-        Scene scene;
+        Counted<Scene> scene;
         scene.accel = accel;
         scene.count_tests = view == DebugView::traversal_cost;
         const bool has_model = !model.mesh.empty();

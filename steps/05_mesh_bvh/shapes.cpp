@@ -1,4 +1,4 @@
-// How the trees over the shapes are built. Compiled once for all programs, since few want to change it.
+// Builds the trees over the shapes. Compiled once for all programs, since few learners change it.
 #include "05_mesh_bvh/shapes.h"
 
 #include <array>
@@ -8,7 +8,7 @@ namespace rt {
 
 namespace {
 
-/// The quads as two triangles each, so that the wide tree need not know quads.
+/// The quads as two triangles each, so that the wide tree needs no quads.
 struct QuadTriangles {
     std::vector<vec3> vertices;
     std::vector<std::array<std::uint32_t, 3>> triangles;

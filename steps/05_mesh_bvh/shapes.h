@@ -62,6 +62,7 @@ inline void closest_hit_binary(const Shapes& shapes, Ray& ray, ClosestShape& clo
     for_each_candidate(shapes.accel, shapes.sphere_bvh, shapes.spheres.size(), ray,
                        [&](std::uint32_t i) { return test(shapes.spheres[i]); });
     const auto test_triangle = [&](std::uint32_t i) {
+        ++ray_stats.triangle_tests;
         //> a triangle that is hit shortens the ray too
         const auto [a, b, c] = vertices(shapes.mesh, i);
         if (const auto hit = intersect(a, b, c, ray)) {
@@ -81,7 +82,7 @@ inline const Quad* quad_of(const Shapes& shapes, std::uint32_t i) {
 }
 
 /// Counts the tests of the wide trees in `ray_stats`.
-struct TallyCounters {
+struct RayStatsCounters {
     static void count_boxes(std::size_t count) { ray_stats.box_tests += count; }
     static void count_primitives(std::size_t count) { ray_stats.triangle_tests += count; }
 };
@@ -111,7 +112,6 @@ inline void closest_hit_wide(const Shapes& shapes, Ray& ray, ClosestShape& close
 /// Returns the closest hit. Each hit shrinks t_max, so the last accepted hit is the closest. Full surface
 /// data are computed for that one only.
 inline std::optional<Hit> intersect(const Shapes& shapes, Ray ray) {
-    ++ray_stats.rays;
     ClosestShape closest;
     for (const Plane& plane : shapes.planes) {
         if (const auto t = intersect(plane, ray)) {
@@ -122,7 +122,7 @@ inline std::optional<Hit> intersect(const Shapes& shapes, Ray ray) {
     if (shapes.accel != Accel::wide)
         closest_hit_binary(shapes, ray, closest);
     else if (shapes.count_tests)
-        closest_hit_wide<TallyCounters>(shapes, ray, closest);
+        closest_hit_wide<RayStatsCounters>(shapes, ray, closest);
     else
         closest_hit_wide<accel::NoCounters>(shapes, ray, closest);
     return match(
@@ -148,18 +148,18 @@ inline bool occluded_wide(const Shapes& shapes, const Ray& ray) {
 
 /// Returns whether any shape is hit in the ray's interval; the first one found ends the search.
 inline bool occluded(const Shapes& shapes, const Ray& ray) {
-    ++ray_stats.rays;
     bool hit = false;
     const auto test = [&](const auto& shape) { return hit = intersect(shape, ray).has_value(); };
     if (std::ranges::any_of(shapes.planes, test)) return true;
     if (shapes.accel == Accel::wide)
-        return shapes.count_tests ? occluded_wide<TallyCounters>(shapes, ray)
+        return shapes.count_tests ? occluded_wide<RayStatsCounters>(shapes, ray)
                                   : occluded_wide<accel::NoCounters>(shapes, ray);
     if (std::ranges::any_of(shapes.quads, test)) return true;
     for_each_candidate(shapes.accel, shapes.sphere_bvh, shapes.spheres.size(), ray,
                        [&](std::uint32_t i) { return test(shapes.spheres[i]); });
     if (hit) return true;
     const auto test_triangle = [&](std::uint32_t i) {
+        ++ray_stats.triangle_tests;
         const auto [a, b, c] = vertices(shapes.mesh, i);
         return hit = intersect(a, b, c, ray).has_value();
     };

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "01_spheres/ray.h"
-#include "common/util/ray_stats.h"
 
 #include <optional>
 
@@ -22,7 +21,6 @@ inline constexpr double edge_tolerance = 0x1p-40;
 /// triangles. Both sides count. A degenerate triangle divides by 0, and NaN or infinity fails every
 /// comparison below.
 inline std::optional<TriangleHit> intersect(vec3 a, vec3 b, vec3 c, const Ray& ray) {
-    ++ray_stats.triangle_tests;
     //> u, v and t from four cross and dot products, and out as soon as one of them is
     const glm::dvec3 vertex_a(a), direction(ray.direction);
     const glm::dvec3 edge_b = glm::dvec3(b) - vertex_a;

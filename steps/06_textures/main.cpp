@@ -1,4 +1,5 @@
 // Step 06 asks: how does a picture get onto a surface?
+#include "01_spheres/program/counted.h"
 #include "01_spheres/program/options.h"
 #include "05_mesh_bvh/program/options.h"
 #include "04_refraction/radiance.h"
@@ -8,7 +9,9 @@
 
 using namespace rt;
 
-/// A cow and a cat on a checkered lawn, a globe, and the test card on an easel.
+const LookAt meadow_view{.from = {0.25f, 1.35f, 5.0f}, .at = {0.25f, 0.6f, 0}, .fov = 33};
+
+/// Builds a cow and a cat on a checkered lawn, a globe, and the test card on an easel.
 LookAt meadow(Scene& scene, int tiles) {
     scene.sky = {.nadir = {0.42f, 0.4f, 0.34f}, .zenith = {0.3f, 0.48f, 0.85f}};
     scene.lights = {{{-4.5f, 7, 6}, vec3(165, 150, 125)}};
@@ -30,23 +33,23 @@ LookAt meadow(Scene& scene, int tiles) {
     ObjModel cat = read_obj(asset_path("cat.obj"));
     transform(cat, 0.62f, -60, {0.55f, 0, 0.85f});
     add_model(scene, cat, 40);
-    return {.from = {0.25f, 1.35f, 5.0f}, .at = {0.25f, 0.6f, 0}, .fov = 33};
+    return meadow_view;
 }
 
 int main(int argc, char** argv) {
     Options options("06_textures", "How does a picture get onto a surface?",
                     {.width = 640, .height = 400, .samples = 16});
     const ModelOptions model(options);
-    const int& tiles = options.option("tiles", 1, 1, 50, "how often the test card repeats, each way");
+    const int& tiles = options.option("tiles", 1, 1, 50, "repetitions of the test card along each side");
     const auto accel = accel_option(options, Accel::wide);
-    const int& depth = options.option("depth", 6, 0, 24, "mirrors and boundaries that a ray may meet");
+    const int& depth =
+        options.option("depth", 6, 0, 24, "maximum number of reflections and refractions along a ray");
     const auto view = view_option(options);
-    const CameraOptions camera_options(options,
-                                       {.from = {0.25f, 1.35f, 5.0f}, .at = {0.25f, 0.6f, 0}, .fov = 33});
+    const CameraOptions camera_options(options, meadow_view);
 
     return run_program(options, argc, argv, [&](const RenderFunction& render) {
         const auto [width, height] = std::pair(options.settings().width, options.settings().height);
-        Scene scene;
+        Counted<Scene> scene;
         scene.accel = accel;
         scene.count_tests = view == DebugView::traversal_cost;
         const bool has_model = !model.mesh.empty();

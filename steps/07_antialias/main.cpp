@@ -1,4 +1,5 @@
 // Step 07 asks: what is a pixel?
+#include "01_spheres/program/counted.h"
 #include "01_spheres/program/options.h"
 #include "05_mesh_bvh/program/options.h"
 #include "04_refraction/radiance.h"
@@ -9,8 +10,8 @@
 
 using namespace rt;
 
-/// Rings sin(r^2): their frequency grows evenly from the middle to the border, where a ring is nine texels
-/// wide.
+/// Returns a zone plate, rings sin(r^2): their frequency grows linearly from the centre to the border, where
+/// a ring is nine texels wide.
 Bitmap zone_plate(int size) {
     Bitmap bitmap{size, size, {}};
     for (int y = 0; y < size; ++y)
@@ -22,8 +23,10 @@ Bitmap zone_plate(int size) {
     return bitmap;
 }
 
-/// Everything that shows jagged edges: a floor to the horizon, a picture of rings that grow finer and finer,
-/// a slanted edge, and a bright wire thinner than a pixel.
+const LookAt test_chart_view{.from = {0, 1.25f, 5.2f}, .at = {0, 0.95f, 0}, .fov = 32};
+
+/// Builds a scene of everything that shows aliasing: a floor to the horizon, rings that become finer and
+/// finer, a slanted edge, and a bright wire thinner than a pixel.
 LookAt test_chart(Scene& scene) {
     scene.sky = {.nadir = {0.5f, 0.46f, 0.42f}, .zenith = {0.28f, 0.4f, 0.66f}};
     scene.lights = {{{-3, 5, 5}, vec3(85, 80, 70)}};
@@ -43,7 +46,7 @@ LookAt test_chart(Scene& scene) {
     ObjModel cat = read_obj(asset_path("cat.obj"));
     transform(cat, 0.7f, -70, {1.45f, 0, 0.75f});
     add_model(scene, cat, 40);
-    return {.from = {0, 1.25f, 5.2f}, .at = {0, 0.95f, 0}, .fov = 32};
+    return test_chart_view;
 }
 
 int main(int argc, char** argv) {
@@ -53,13 +56,14 @@ int main(int argc, char** argv) {
     const FilterOptions filter(options);
     const LensOptions lens_options(options);
     const auto accel = accel_option(options, Accel::wide);
-    const int& depth = options.option("depth", 6, 0, 24, "mirrors and boundaries that a ray may meet");
+    const int& depth =
+        options.option("depth", 6, 0, 24, "maximum number of reflections and refractions along a ray");
     const auto view = view_option(options);
-    const CameraOptions camera_options(options, {.from = {0, 1.25f, 5.2f}, .at = {0, 0.95f, 0}, .fov = 32});
+    const CameraOptions camera_options(options, test_chart_view);
 
     return run_program(options, argc, argv, [&](const RenderFunction& render) {
         const auto [width, height] = std::pair(options.settings().width, options.settings().height);
-        Scene scene;
+        Counted<Scene> scene;
         scene.accel = accel;
         scene.count_tests = view == DebugView::traversal_cost;
         const bool has_model = !model.mesh.empty();

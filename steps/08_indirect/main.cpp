@@ -1,4 +1,5 @@
 // Step 08 asks: where does all the light come from?
+#include "01_spheres/program/counted.h"
 #include "01_spheres/program/options.h"
 #include "05_mesh_bvh/program/options.h"
 #include "07_antialias/program/options.h"
@@ -14,7 +15,8 @@ using namespace rt;
 
 enum class SceneName { room, furnace, cornell, weekend, animal };
 
-/// A white ball in an evenly white world. Whatever it receives it gives back, so it must not be seen at all.
+/// Builds a white furnace: a white sphere in a uniform environment. It reflects all the light that it
+/// receives, so it must be invisible.
 LookAt furnace(Scene& scene) {
     scene.sky = {vec3(0.5f), vec3(0.5f)};
     const int white = add(scene.materials, Diffuse{vec3(1)});
@@ -22,7 +24,7 @@ LookAt furnace(Scene& scene) {
     return {.from = {0, 0, 4}, .at = {0, 0, 0}, .fov = 40};
 }
 
-/// Builds one of the scenes that this step brings along.
+/// Builds one of this step's own scenes.
 LookAt build_scene(Scene& scene, SceneName show) {
     switch (show) {
     case SceneName::furnace: return furnace(scene);
@@ -38,33 +40,34 @@ int main(int argc, char** argv) {
                     {.width = 480, .height = 480, .samples = 64});
     const ModelOptions model(options);
     const std::string& spheres =
-        options.file("spheres", "a list of balls to show in the place and light of --scene weekend");
+        options.file("spheres", "a list of spheres to show with the camera and light of --scene weekend");
     const auto show = options.choice(
         "scene", {"room", "furnace", "cornell", "weekend", "animal"}, SceneName::room,
-        "what to show: the reference's room; a white ball in a white world, which must not be seen; "
-        "a Cornell box; the balls of a well-known book; a cat at home");
+        "what to show: the room of the reference; a white sphere in a white world, which must be invisible; "
+        "a Cornell box; the spheres of a well-known book; a cat at home");
     const auto accel = accel_option(options, Accel::wide);
     const auto sampler_kind = sampler_option(options);
     const FilterOptions filter(options);
     const LensOptions lens_options(options);
-    const int& depth = options.option("depth", 5, 0, 1000, "bounces of a path; the light beyond is left out");
-    const bool& no_indirect =
-        options.flag("no-indirect", "matte surfaces see lamps and sky, but not each other");
+    const int& depth =
+        options.option("depth", 5, 0, 1000, "maximum number of bounces of a path; light beyond is ignored");
+    const bool& no_indirect = options.flag(
+        "no-indirect", "matte surfaces receive light from lamps and sky, but not from each other");
     const auto direct =
         options.choice("direct", {"mis", "lights", "bounces"}, DirectLighting::mis,
-                       "how a path looks for lamps: by asking them, by running into them, or by "
-                       "both, each where it is good (mis): same picture, different noise");
+                       "how a path finds lamps: by sampling them (lights), by hitting them (bounces), or by "
+                       "both, weighted (mis): same image, different noise");
     const auto hemisphere_sampling =
         options.choice("bounce", {"cosine", "uniform"}, HemisphereSampling::cosine,
-                       "how bounces are spread: same picture, different noise");
+                       "density of the bounce directions: same image, different noise");
     const bool& no_roulette =
-        options.flag("no-roulette", "every path runs its full length: same picture, slower");
+        options.flag("no-roulette", "every path continues to its full depth: same image, slower");
     const auto view = view_option(options);
-    const CameraOptions camera_options(options, {.from = {0, 1, 4.6f}, .at = {0, 0.98f, 0}, .fov = 31});
+    const CameraOptions camera_options(options, room_view);
 
     return run_program(options, argc, argv, [&](const RenderFunction& render) {
         const auto [width, height] = std::pair(options.settings().width, options.settings().height);
-        Scene scene;
+        Counted<Scene> scene;
         scene.accel = accel;
         scene.count_tests = view == DebugView::traversal_cost;
         const LookAt look_at = camera_options.look_at_or(

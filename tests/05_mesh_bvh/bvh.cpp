@@ -25,6 +25,7 @@ RayStats cost_of(const ObjModel& file, int rays, float scale = 1) {
         traverse(bvh, ray, [&](std::uint32_t shape) {
             const auto& corner = file.triangles[shape];
             const auto at = [&](std::size_t k) { return file.positions[std::size_t(corner[k].position)]; };
+            ++ray_stats.triangle_tests;
             if (const auto hit = intersect(at(0), at(1), at(2), ray)) ray.t_max = hit->t;
             return false;
         });

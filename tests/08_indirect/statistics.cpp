@@ -1,6 +1,7 @@
 // Facts about light transport in scenes without a closed form.
 // Different strategies agree, and reversed paths carry the same light. These are z-tests with fixed seeds; a
 // correct renderer exceeds |z| = 4 in one run out of 16,000.
+#include "01_spheres/program/counted.h"
 #include "08_indirect/area_lights.h"
 #include "08_indirect/hemisphere.h"
 #include "08_indirect/radiance.h"
@@ -28,7 +29,8 @@ double apart(const Mean& a, const Mean& b) {
 
 using Channels = std::array<Mean, 3>;
 
-Channels channels_seen(const Scene& scene, const PathSettings& settings, const Ray& ray, int samples,
+template <Occludable S>
+Channels channels_seen(const S& scene, const PathSettings& settings, const Ray& ray, int samples,
                        std::uint64_t seed) {
     const AreaLights lights = collect_area_lights(scene);
     Random random(seed);
@@ -132,7 +134,7 @@ TEST_CASE("roulette leaves the picture unchanged") {
 }
 
 TEST_CASE("roulette saves work: in a dim closed room most paths end long before the maximum depth") {
-    Scene scene;
+    Counted<Scene> scene;
     scene.spheres = {{{1, 2, 3}, 2, add(scene.materials, Diffuse{vec3(0.4f), vec3(1)})}};
     build_bvhs(scene);
     const auto rays = [&](bool with_roulette) {

@@ -20,10 +20,10 @@ refuses() { # $1: a part of the line; the rest: the arguments
 refuses "there is no benchmark 'travelsal'" travelsal
 refuses "does not know '--fast'" --fast
 refuses "does not know 'extra'" all extra
-refuses "--json wants a name" traversal --json
-refuses "--out wants a name" --out
-refuses "cannot write" --json /nowhere/at/all.json
-refuses "cannot write" --json /
+refuses "--json: 1 required" traversal --json
+refuses "--out: 1 required" --out
+refuses "does not exist" --json /nowhere/at/all.json
+refuses "is a folder" --json /
 refuses "cannot make the folder" --out /dev/null/report
 "$learn" --help | grep -q "learn bench" || {
     echo "./learn --help does not name bench"

@@ -2,11 +2,13 @@
 #include "common/util/json.h"
 #include "tests/fuzz/fuzz.h"
 #include "tools/bench/report.h"
-#include "tools/tutor/embed.h"
+#include "tools/tutor/report.h"
 
 #include <algorithm>
 
 namespace rt::fuzz {
+
+using namespace tutor;
 
 namespace {
 
@@ -61,11 +63,11 @@ void check_report(std::string_view bytes) {
 
 void run_json(std::string_view bytes) {
     check_report(bytes);
-    const std::string text = json::text(Json(bytes)), embedded = embedded_text(bytes);
-    require(!has_control(text) && !has_control(embedded), "JSON contains no control character");
-    require(is_utf8(text) && is_utf8(embedded), "JSON is UTF-8");
-    require(embedded.find_first_of("<>&") == std::string::npos, "an embedded text cannot end an element");
-    const bool same = read_back(text) == bytes && read_back(embedded) == bytes;
+    const std::string text = json::text(Json(bytes)), safe = embedded(bytes);
+    require(!has_control(text) && !has_control(safe), "JSON contains no control character");
+    require(is_utf8(text) && is_utf8(safe), "JSON is UTF-8");
+    require(safe.find_first_of("<>&") == std::string::npos, "an embedded text cannot end an element");
+    const bool same = read_back(text) == bytes && read_back(safe) == bytes;
     require(same || !is_utf8(bytes), "written text is read back unchanged");
 }
 

@@ -9,6 +9,8 @@
 
 namespace rt::fuzz {
 
+using namespace tutor;
+
 namespace {
 
 enum class Accel { brute, bvh, wide };

@@ -1,11 +1,10 @@
 // Fuzz targets for the project's own files: the catalogue, and the inputs of tutor and weaver.
 #include "tests/fuzz/fuzz.h"
 #include "tools/tutor/catalogue.h"
-#include "tools/tutor/compile.h"
+#include "tools/tutor/build.h"
 #include "tools/tutor/diagnosis.h"
 #include "tools/tutor/exercises.h"
 #include "tools/tutor/hints.h"
-#include "tools/tutor/line_diff.h"
 #include "tools/weave/region.h"
 #include "tools/weave/weave.h"
 
@@ -14,43 +13,30 @@
 
 namespace rt::fuzz {
 
+using namespace tutor;
+
 namespace {
 
 void check_results(const std::string& text) {
     const std::vector<CheckResult> results = parse_results(text);
     const Signature seen = signature_of("seen", results);
     const Diagnosis diagnosis = diagnose({seen}, {results});
-    require(seen.symptoms.empty() || diagnosis.confidence == Confidence::certain,
+    require(seen.assertions.empty() || diagnosis.confidence == Confidence::certain,
             "a mistake is diagnosed as itself");
     const auto known = parse_signatures(signatures_text("03_mirror", {seen}), "x.signatures");
-    require(known.size() == 1 && known[0].symptoms.size() == seen.symptoms.size(),
+    require(known.size() == 1 && known[0].assertions.size() == seen.assertions.size(),
             "signatures are read back");
 }
 
 void check_exercises(const std::string& text) {
     const std::vector<Exercise> exercises = find_exercises(text, "steps/03_mirror/mirror.h");
-    const std::string stub = cut(text, exercises);
+    const std::string stub = make_stub(text, exercises);
     without_markers(text);
     for (const Exercise& exercise : exercises) {
         const int place = place_of(exercise, stub);
         require(place >= 1, "lines are counted from 1");
         is_untouched(exercise, text, stub);
     }
-}
-
-/// Compares the first `count` lines with the others.
-void check_diff(const std::string& text, std::size_t count) {
-    std::vector<std::string> first = lines_of(text), second, left, right;
-    count = std::min(count, first.size());
-    second.assign(first.begin() + std::ptrdiff_t(count), first.end());
-    first.resize(count);
-    const std::vector<DiffLine> diff = line_diff(first, second);
-    for (const DiffLine& line : diff) {
-        if (line.kind != '+') left.push_back(line.text);
-        if (line.kind != '-') right.push_back(line.text);
-    }
-    require(left == first && right == second, "a difference contains both texts");
-    require(unified(diff, "a", "b", false).empty() == (first == second), "only a difference is shown");
 }
 
 void check_page(const std::string& page) {
@@ -84,7 +70,6 @@ void run_tutor(std::string_view bytes) {
         case 'h': return void(parse_hints(read, "exercises/03_mirror/hints.md"));
         case 's': return void(parse_signatures(read, "exercises/03_mirror/signatures.txt"));
         case 'e': return check_exercises(read);
-        case 'd': return check_diff(read, what.size() - 1); // one further letter per line
         case 'c': return void(first_error(read, "workshop/"));
         case 'n': return require(rounded(read).size() <= 100, "values are short");
         }

@@ -19,19 +19,19 @@ refuses() { # $1: a part of the line; the rest: the arguments
 
 refuses "the targets are bmp catalogue" bitmaps
 refuses "there is no target '..'" ..
-refuses "takes one target" obj hdr
-refuses "does not know '--fast'" --fast
-refuses "--minutes wants a whole number" --minutes
-refuses "--minutes wants a whole number" obj --minutes 1.5
-refuses "--seconds wants a whole number" --seconds 0
-refuses "--seed wants a whole number" --seed -1
+refuses "not expected: hdr" obj hdr
+refuses "not expected: --fast" --fast
+refuses "--minutes: 1 required" --minutes
+refuses "--minutes: Value 1.5 not in range" obj --minutes 1.5
+refuses "--seconds: Value 0 not in range" --seconds 0
+refuses "--seed: Value -1 not in range" --seed -1
 # Without a compiler that has libFuzzer.
 PATH_WITHOUT=$(mktemp -d)
 trap 'rm -rf "$PATH_WITHOUT"' EXIT
 printf '#!/bin/sh\nexit 1\n' >"$PATH_WITHOUT/clang++"
 chmod +x "$PATH_WITHOUT/clang++"
 PATH=$PATH_WITHOUT:$PATH refuses "fuzz needs clang++ and its libFuzzer" hdr
-"$learn" fuzz --help | grep -q "^targets: bmp catalogue" || {
+"$learn" fuzz --help | grep -q "^Targets: bmp catalogue" || {
     echo "./learn fuzz --help does not name the targets"
     bad=1
 }

@@ -9,6 +9,7 @@
 #include <set>
 
 using namespace rt;
+using namespace rt::tutor;
 
 namespace {
 

@@ -2,10 +2,10 @@
 #include "tests/check.h"
 #include "common/util/error.h"
 #include "tests/tutor/folder.h"
-#include "tools/tutor/build_lock.h"
-#include "tools/tutor/check_run.h"
-#include "tools/tutor/compile.h"
-#include "tools/tutor/temporary.h"
+#include "tools/tutor/check_parts.h"
+#include "tools/tutor/build.h"
+#include "tools/tutor/system.h"
+#include "tools/tutor/util.h"
 
 #include <doctest/doctest.h>
 
@@ -16,6 +16,7 @@
 #include <unistd.h>
 
 using namespace rt;
+using namespace rt::tutor;
 
 namespace fs = std::filesystem;
 
@@ -111,21 +112,26 @@ TEST_CASE("a build locks its folder until it ends or its process ends") {
     const BuildLock nowhere("/nowhere/at/all"); // no lock, but no error either
 }
 
-TEST_CASE("temporary files and folders are unique and are removed at the end") {
-    fs::path file, folder;
+TEST_CASE("temporary folders are unique and are removed at the end") {
+    fs::path folder;
     {
-        const TemporaryFile one, other;
         const TemporaryFolder first, second;
-        CHECK(one.path != other.path);
         CHECK(first.path != second.path);
-        CHECK(fs::is_regular_file(one.path));
         put(first.path / "below/x", "x");
-        file = one.path, folder = first.path;
+        folder = first.path;
     }
-    CHECK_FALSE(fs::exists(file));
     CHECK_FALSE(fs::exists(folder));
-    CHECK_THROWS_AS(TemporaryFile("/nowhere/at/all"), Error);
     CHECK_THROWS_AS(TemporaryFolder("/nowhere/at/all"), Error);
+}
+
+TEST_CASE("a program's output is captured, and its exit code and crash are reported") {
+    std::string output;
+    CHECK(run_process({"sh", "-c", "echo a; echo b >&2; exit 3"}, {.log = "/dev/null", .output = &output})
+              .code == 3);
+    CHECK(output == "a\n");
+    CHECK(run_process({"sh", "-c", "kill -SEGV $$"}).crash.find("memory") != std::string::npos);
+    CHECK(run_process({"sh", "-c", "exec sleep 20"}, {.seconds = 1}).timed_out);
+    CHECK_THROWS_AS(run_process({"/nowhere/at/all"}), Error);
 }
 
 TEST_CASE("of a compiler's many lines the first error in one of the learner's files is shown") {

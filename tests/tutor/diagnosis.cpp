@@ -8,6 +8,7 @@
 #include <doctest/doctest.h>
 
 using namespace rt;
+using namespace rt::tutor;
 
 namespace {
 
@@ -24,7 +25,7 @@ const std::string lines = "case\ta ball is met at t = 4\n"
 
 Signature known(const std::string& id, const std::vector<std::string>& checks, const std::string& values) {
     Signature signature{id, {}};
-    for (const std::string& check : checks) signature.symptoms.push_back({check, "t == 4", values, 1});
+    for (const std::string& check : checks) signature.assertions.push_back({check, "t == 4", values, 1});
     return signature;
 }
 
@@ -63,10 +64,10 @@ TEST_CASE("numbers are rounded to four digits and other text is unchanged") {
 
 TEST_CASE("a signature contains each assertion once with the number of its failures") {
     const Signature signature = signature_of("far", parse_results(lines));
-    REQUIRE(signature.symptoms.size() == 2);
-    CHECK(signature.symptoms[0].times == 2);
-    CHECK(signature.symptoms[0].values == "6 == 4 within 1e-05");
-    CHECK(signature.symptoms[1].check == "a ray that never ends");
+    REQUIRE(signature.assertions.size() == 2);
+    CHECK(signature.assertions[0].times == 2);
+    CHECK(signature.assertions[0].values == "6 == 4 within 1e-05");
+    CHECK(signature.assertions[1].check == "a ray that never ends");
 }
 
 TEST_CASE("signatures are written and read back") {
@@ -75,10 +76,10 @@ TEST_CASE("signatures are written and read back") {
         parse_signatures(signatures_text("01_one", {signature}), "exercises/01_one/signatures.txt");
     REQUIRE(back.size() == 1);
     CHECK(back[0].id == "far");
-    REQUIRE(back[0].symptoms.size() == 2);
-    CHECK(back[0].symptoms[0].check == "a ball is met at t = 4");
-    CHECK(back[0].symptoms[0].expression == "t == approx(4)");
-    CHECK(back[0].symptoms[0].times == 2);
+    REQUIRE(back[0].assertions.size() == 2);
+    CHECK(back[0].assertions[0].check == "a ball is met at t = 4");
+    CHECK(back[0].assertions[0].expression == "t == approx(4)");
+    CHECK(back[0].assertions[0].times == 2);
     CHECK_THROWS_WITH_AS(
         parse_signatures("far\n    nonsense\n", "exercises/01_one/signatures.txt"),
         "exercises/01_one/signatures.txt:2: not a line that prove writes; run ./learn prove --write again",
@@ -180,7 +181,7 @@ TEST_CASE("every mistake of the project with a recorded signature is diagnosed a
         const auto mistakes = read_catalogue(RT_ROOT, step);
         CHECK_MESSAGE(signatures.size() == mistakes.size(), std::string(step), ": run ./learn prove --write");
         for (const Signature& signature : signatures) {
-            const std::vector<Match> matches = ranked(signatures, signature);
+            const std::vector<SignatureMatch> matches = ranked(signatures, signature);
             CHECK_MESSAGE(matches[0].score == doctest::Approx(1), signature.id);
         }
     }

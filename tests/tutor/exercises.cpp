@@ -11,6 +11,7 @@
 #include <set>
 
 using namespace rt;
+using namespace rt::tutor;
 
 namespace {
 
@@ -85,7 +86,7 @@ TEST_CASE("a region without a beginning, a task or a function is an error that n
 }
 
 TEST_CASE("a stub has the task and the placeholder where the reference has the answer") {
-    const std::string stub = cut(SmallProject::shape, find_exercises(SmallProject::shape, "shape.h"));
+    const std::string stub = make_stub(SmallProject::shape, find_exercises(SmallProject::shape, "shape.h"));
     CHECK(stub ==
           "// Two functions.\n#pragma once\n\ninline float half(float x) {\n    // TODO: divide by two\n"
           "    return x;\n}\n\ntemplate <typename T>\nint sign(T x,\n         T zero) {\n"
@@ -94,7 +95,7 @@ TEST_CASE("a stub has the task and the placeholder where the reference has the a
 
 TEST_CASE("one exercise is cut and the others stay") {
     const std::vector<Exercise> found = find_exercises(SmallProject::shape, "shape.h");
-    const std::string stub = cut(SmallProject::shape, {found[1]});
+    const std::string stub = make_stub(SmallProject::shape, {found[1]});
     CHECK(stub.find("return x / 2;") != std::string::npos);
     CHECK(stub.find("result = -1") == std::string::npos);
 }
@@ -104,7 +105,7 @@ TEST_CASE("no stub of the course shows a line of an answer or a marker") {
         for (const std::string& file : files_to_write(exercises_of(real, step))) {
             const std::string text = text_of(steps_folder(real) / step / file);
             const std::vector<Exercise> here = find_exercises(text, file);
-            const std::string stub = cut(text, here);
+            const std::string stub = make_stub(text, here);
             CAPTURE(step + "/" + file);
             CHECK(find_exercises(stub, file).empty());
             std::size_t kept = lines_of(text).size();
@@ -115,7 +116,7 @@ TEST_CASE("no stub of the course shows a line of an answer or a marker") {
 
 TEST_CASE("a function that was not edited is untouched whatever changed around it") {
     const std::vector<Exercise> found = find_exercises(SmallProject::shape, "shape.h");
-    const std::string stub = cut(SmallProject::shape, found);
+    const std::string stub = make_stub(SmallProject::shape, found);
     CHECK(is_untouched(found[0], stub, stub));
     std::string mine = "// my own remark\n" + stub;
     mine.replace(mine.find("    // TODO: divide by two\n"), 27, "");
@@ -129,7 +130,7 @@ TEST_CASE("a function that was not edited is untouched whatever changed around i
 
 TEST_CASE("an exercise is found at its TODO or else at its function") {
     const std::vector<Exercise> found = find_exercises(SmallProject::shape, "shape.h");
-    const std::string stub = cut(SmallProject::shape, found);
+    const std::string stub = make_stub(SmallProject::shape, found);
     CHECK(place_of(found[1], stub) == 13);
     CHECK(place_of(found[1], SmallProject::shape) == 11);
     CHECK(place_of(found[1], "nothing\n") == 1);

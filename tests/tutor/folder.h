@@ -10,7 +10,7 @@
 #include <sstream>
 #include <string>
 
-namespace rt {
+namespace rt::tutor {
 
 /// Returns the contents of a file; "" if there is none.
 inline std::string text_of(const std::filesystem::path& path) {
@@ -113,4 +113,4 @@ std::string said_by(const Command& command) {
     return out.str();
 }
 
-} // namespace rt
+} // namespace rt::tutor

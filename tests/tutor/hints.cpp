@@ -8,11 +8,12 @@
 #include <doctest/doctest.h>
 
 using namespace rt;
+using namespace rt::tutor;
 
 namespace {
 
-std::string hint(const SmallProject& small, const std::string& name, HintWish wish = HintWish::next) {
-    return said_by([&](std::ostream& out) { show_hints(small.project, "01_one", name, wish, out); });
+std::string hint(const SmallProject& small, const std::string& name, HintMode mode = HintMode::next) {
+    return said_by([&](std::ostream& out) { show_hints(small.project, "01_one", name, mode, out); });
 }
 
 bool has(const std::string& text, const std::string& part) {
@@ -47,15 +48,15 @@ TEST_CASE("each call gives the next hint and after the third there is none") {
 
 TEST_CASE("a hint can be repeated, all can be shown, and the count can be reset") {
     const SmallProject small;
-    CHECK(has(hint(small, "half", HintWish::again), "Hint 1 of 3"));
+    CHECK(has(hint(small, "half", HintMode::again), "Hint 1 of 3"));
     hint(small, "half");
-    CHECK(has(hint(small, "half", HintWish::again), "Hint 2 of 3"));
-    CHECK(has(hint(small, "half", HintWish::again), "Hint 2 of 3"));
-    const std::string all = hint(small, "half", HintWish::all);
+    CHECK(has(hint(small, "half", HintMode::again), "Hint 2 of 3"));
+    CHECK(has(hint(small, "half", HintMode::again), "Hint 2 of 3"));
+    const std::string all = hint(small, "half", HintMode::all);
     CHECK(has(all, "Hint 1 of 3"));
     CHECK(has(all, "Hint 3 of 3"));
     CHECK(has(hint(small, "half"), "no more hints"));
-    hint(small, "half", HintWish::reset);
+    hint(small, "half", HintMode::reset);
     CHECK(has(hint(small, "half"), "Hint 1 of 3"));
 }
 
@@ -65,7 +66,7 @@ TEST_CASE("without a name, the exercises of the step are listed with the number 
     const std::string list = hint(small, "");
     CHECK(has(list, "0 of 3  half (shape.h): divide by two"));
     CHECK(has(list, "1 of 3  sign (shape.h)"));
-    hint(small, "", HintWish::reset);
+    hint(small, "", HintMode::reset);
     CHECK(has(hint(small, ""), "0 of 3  sign"));
 }
 

@@ -4,7 +4,6 @@
 #include "common/util/file_bytes.h"
 #include "common/image/image_file.h"
 #include "tests/malformed/folder.h"
-#include "tools/tutor/embed.h"
 
 #include <doctest/doctest.h>
 
@@ -15,6 +14,7 @@
 #include <vector>
 
 using namespace rt;
+using namespace rt::tutor;
 using namespace rt::malformed;
 
 namespace {
@@ -45,10 +45,15 @@ std::string difference_picture(const Folder& folder, const std::string& a, const
     return folder / "map.png";
 }
 
-std::vector<ReportCheck> some_checks() {
-    std::vector<ReportCheck> checks;
+Json check(const std::string& name, const std::string& state, double seconds,
+           const std::vector<std::string>& lines) {
+    return {{"name", name}, {"state", state}, {"seconds", seconds}, {"lines", lines}};
+}
+
+Json some_checks() {
+    Json checks = Json::array();
     const auto add = [&](const char* name, const char* state, std::vector<std::string> lines = {}) {
-        checks.push_back({name, state, 0.0013 * double(checks.size() + 1), std::move(lines)});
+        checks.push_back(check(name, state, 0.0013 * double(checks.size() + 1), lines));
     };
     add("a reflected direction leaves at the angle at which it came", "failed",
         {"tests/03_mirror.cpp:41  CHECK( dot(out, normal) == approx(-dot(in, normal)) )",
@@ -73,69 +78,73 @@ std::vector<ReportCheck> some_checks() {
     return checks;
 }
 
-void add_mistake(Report& report) {
-    report.mistake_title = "the part along the normal is added instead of subtracted";
-    report.mistake_confidence = "very likely: the same checks fail with the same numbers";
-    report.mistake_shows = "reflections are upside down under every ball.";
-    report.mistake_why =
-        "d.n is negative for a ray that hits the surface, so `- 2 (d.n) n` points outward. With "
-        "a plus the ray enters the surface three times as steeply.";
-    report.mistake_fix = "write `direction - 2 * dot(direction, normal) * normal`.";
+Json some_mistake() {
+    return {{"title", "the part along the normal is added instead of subtracted"},
+            {"confidence", "very likely: the same checks fail with the same numbers"},
+            {"shows", "reflections are upside down under every ball."},
+            {"why", "d.n is negative for a ray that hits the surface, so `- 2 (d.n) n` points outward. With "
+                    "a plus the ray enters the surface three times as steeply."},
+            {"fix", "write `direction - 2 * dot(direction, normal) * normal`."},
+            {"picture", references + "02_shadows.png"}};
+}
+
+Json empty_report() {
+    return {{"checks", Json::array()},   {"own_files", Json::array()}, {"earlier", Json::array()},
+            {"tiles_over_4", nullptr},   {"mistake", nullptr},         {"settings", ""},
+            {"pictures", Json::object()}};
 }
 
 /// Builds the report of a check of step 03 with a known mistake.
-Report some_report(const Folder& folder) {
-    Report report;
-    report.root = root;
-    report.step = "03_mirror";
-    report.question = "what does the mirror see?";
-    report.own_files = {"03_mirror/mirror.h"};
-    report.checks = some_checks();
-    report.earlier = {"01_spheres: 67 of 67 checks", "02_shadows: 41 of 41 checks"};
-    report.verdict = "different";
-    report.verdict_lines = {"Too bright by 12 % in the upper right; the worst pixel is x 497, y 31."};
-    report.flip_mean = 0.0731;
-    report.flip_max = 0.8124;
-    report.mine = wrong_picture(folder, "03_mirror");
-    report.reference = references + "03_mirror.png";
-    report.map = difference_picture(folder, report.mine.string(), report.reference.string());
-    add_mistake(report);
-    report.mistake_picture = references + "02_shadows.png";
-    report.next = "./learn hint 03 reflect";
-    report.settings = "640 x 400, 16 samples a pixel, seed 1";
+Json some_report(const Folder& folder) {
+    Json report = empty_report();
+    report["step"] = "03_mirror";
+    report["question"] = "what does the mirror see?";
+    report["own_files"] = {"03_mirror/mirror.h"};
+    report["checks"] = some_checks();
+    report["earlier"] = {"01_spheres: 67 of 67 checks", "02_shadows: 41 of 41 checks"};
+    report["verdict"] = "different";
+    report["verdict_lines"] = {"Too bright by 12 % in the upper right; the worst pixel is x 497, y 31."};
+    report["flip_mean"] = 0.0731;
+    report["flip_max"] = 0.8124;
+    report["pictures"]["mine"] = wrong_picture(folder, "03_mirror");
+    report["pictures"]["reference"] = references + "03_mirror.png";
+    report["pictures"]["map"] =
+        difference_picture(folder, report["pictures"]["mine"], report["pictures"]["reference"]);
+    report["mistake"] = some_mistake();
+    report["next"] = "./learn hint 03 reflect";
+    report["settings"] = "640 x 400, 16 samples a pixel, seed 1";
     return report;
 }
 
 /// Builds the report of a successful check of a noisy step.
-Report good_report() {
-    Report report;
-    report.root = root;
-    report.step = "08_indirect";
-    report.question = "where does the light in the shadow come from?";
-    report.own_files = {"08_indirect/hemisphere.h", "08_indirect/area_lights.h"};
+Json good_report() {
+    Json report = empty_report();
+    report["step"] = "08_indirect";
+    report["question"] = "where does the light in the shadow come from?";
+    report["own_files"] = {"08_indirect/hemisphere.h", "08_indirect/area_lights.h"};
     for (int i = 0; i < 74; ++i)
-        report.checks.push_back(
-            {"fact number " + std::to_string(i + 1) + " about light", "ok", 0.002 * i, {}});
-    report.verdict = "noise";
-    report.verdict_lines = {"No tile differs by more than its noise explains."};
-    report.tiles_over_4 = 1;
-    report.mine = report.reference = report.map = references + "08_indirect.png";
-    report.next = "./learn status";
-    report.settings = "480 x 480, 16 samples a pixel, seed 1";
+        report["checks"].push_back(
+            check("fact number " + std::to_string(i + 1) + " about light", "ok", 0.002 * i, {}));
+    report["verdict"] = "noise";
+    report["verdict_lines"] = {"No tile differs by more than its noise explains."};
+    report["tiles_over_4"] = 1;
+    for (const char* name : {"mine", "reference", "map"})
+        report["pictures"][name] = references + "08_indirect.png";
+    report["next"] = "./learn status";
+    report["settings"] = "480 x 480, 16 samples a pixel, seed 1";
     return report;
 }
 
-Report unbuilt_report() {
-    Report report;
-    report.root = root;
-    report.step = "03_mirror";
-    report.question = "what does the mirror see?";
-    report.own_files = {"03_mirror/mirror.h"};
-    report.verdict = "the program did not build";
-    report.verdict_lines = {
+Json unbuilt_report() {
+    Json report = empty_report();
+    report["step"] = "03_mirror";
+    report["question"] = "what does the mirror see?";
+    report["own_files"] = {"03_mirror/mirror.h"};
+    report["verdict"] = "the program did not build";
+    report["verdict_lines"] = {
         "workshop/03_mirror/mirror.h:24:12: error: 'refelct' was not declared in this scope; did "
         "you mean 'reflect'?"};
-    report.next = "./learn hint 03 reflected_ray";
+    report["next"] = "./learn hint 03 reflected_ray";
     return report;
 }
 
@@ -149,16 +158,15 @@ std::string evil_text() {
 }
 
 /// Builds a report with the same text everywhere, which would be harmful as markup.
-Report evil_report(const Folder& folder) {
+Json evil_report(const Folder& folder) {
     const std::string evil = evil_text();
-    Report report = some_report(folder);
-    report.step = "03_" + evil;
-    for (std::string* text :
-         {&report.question, &report.mistake_title, &report.mistake_confidence, &report.mistake_shows,
-          &report.mistake_why, &report.mistake_fix, &report.next, &report.settings, &report.verdict})
-        *text = evil;
-    report.own_files = report.earlier = report.verdict_lines = {evil};
-    report.checks = {{evil, "failed", 1, {evil}}, {evil, evil, 1, {evil}}, {evil, "ok", 1, {evil}}};
+    Json report = some_report(folder);
+    report["step"] = "03_" + evil;
+    for (const char* field : {"question", "next", "settings", "verdict"}) report[field] = evil;
+    for (const char* field : {"title", "confidence", "shows", "why", "fix"}) report["mistake"][field] = evil;
+    for (const char* field : {"own_files", "earlier", "verdict_lines"}) report[field] = Json::array({evil});
+    report["checks"] = {check(evil, "failed", 1, {evil}), check(evil, evil, 1, {evil}),
+                        check(evil, "ok", 1, {evil})};
     return report;
 }
 
@@ -224,44 +232,29 @@ TEST_CASE("base64 encodes the examples of the standard") {
 }
 
 TEST_CASE("an embedded text is JSON in which nothing can end a script") {
-    CHECK(embedded_text("plain \xC3\xA4 \xE2\x82\xAC \xF0\x9F\x98\x80") ==
+    CHECK(embedded("plain \xC3\xA4 \xE2\x82\xAC \xF0\x9F\x98\x80") ==
           "\"plain \xC3\xA4 \xE2\x82\xAC \xF0\x9F\x98\x80\"");
-    CHECK(embedded_text("\"\\\n\t") == "\"\\u0022\\u005c\\u000a\\u0009\"");
-    CHECK(embedded_text("</script>&") == "\"\\u003c/script\\u003e\\u0026\"");
-    CHECK(embedded_text(std::string_view("\0", 1)) == "\"\\u0000\"");
-}
-
-TEST_CASE("bytes that are not UTF-8 become the replacement character") {
-    const std::string unknown = "\xEF\xBF\xBD";
-    CHECK(embedded_text("a\xFFz") == "\"a" + unknown + "z\"");
-    CHECK(embedded_text("\xC3") == "\"" + unknown + "\"");               // truncated
-    CHECK(embedded_text("\xC0\xAF") == "\"" + unknown + unknown + "\""); // two bytes for a slash
-    CHECK(embedded_text("\xED\xA0\x80") ==
-          "\"" + unknown + unknown + unknown + "\""); // half of a surrogate pair
-    CHECK(embedded_text("\xE2\x82z") == "\"" + unknown + unknown + "z\"");
-}
-
-TEST_CASE("a picture is embedded with the bytes of its file and its size is read from it") {
-    const EmbeddedPicture picture = embedded_picture(references + "08_indirect.png");
-    CHECK(picture.width == 480);
-    CHECK(picture.height == 480);
-    CHECK(picture.url == "data:image/png;base64," + base64(bytes_of(references + "08_indirect.png")));
+    CHECK(embedded("\"\\\n\t\x7F") == "\"\\\"\\\\\\n\\t\\u007f\"");
+    CHECK(embedded("</script>&") == "\"\\u003c/script\\u003e\\u0026\"");
+    CHECK(embedded(std::string("\0", 1)) == "\"\\u0000\"");
+    CHECK(embedded("a\xFFz") == "\"a\xEF\xBF\xBDz\""); // not UTF-8
 }
 
 TEST_CASE("the report contains its three pictures and that of the mistake") {
     const Folder folder;
-    const Report report = some_report(folder);
-    const std::string page = report_html(report);
-    for (const auto& path : {report.mine, report.reference, report.map, report.mistake_picture}) {
-        CAPTURE(path.string());
-        CHECK(count(page, base64(bytes_of(path.string()))) == 1);
+    const Json report = some_report(folder);
+    const std::string page = report_html(root, report);
+    for (const std::string path : {report["pictures"]["mine"], report["pictures"]["reference"],
+                                   report["pictures"]["map"], report["mistake"]["picture"]}) {
+        CAPTURE(path);
+        CHECK(count(page, base64(bytes_of(path))) == 1);
     }
     CHECK(count(page, "data:image/png;base64,") == 4);
 }
 
 TEST_CASE("the report requests nothing from a network") {
     const Folder folder;
-    const std::string page = without_pictures(report_html(some_report(folder)));
+    const std::string page = without_pictures(report_html(root, some_report(folder)));
     for (const char* part : {"http:", "https:", "//", "@import", "url(", "<link", "<iframe", "src=\"",
                              "fetch(", "XMLHttpRequest", "WebSocket", "import("})
         CHECK_MESSAGE(!contains(page, part), ("there is a " + std::string(part) + " in the page"));
@@ -270,94 +263,96 @@ TEST_CASE("the report requests nothing from a network") {
 
 TEST_CASE("the report's tags are balanced") {
     const Folder folder;
-    CHECK(unbalanced_tag(report_html(some_report(folder))) == "");
-    CHECK(unbalanced_tag(report_html(evil_report(folder))) == "");
+    CHECK(unbalanced_tag(report_html(root, some_report(folder))) == "");
+    CHECK(unbalanced_tag(report_html(root, evil_report(folder))) == "");
     CHECK(unbalanced_tag("<p><b></p></b>") == "/p"); // checks the function itself
     CHECK(unbalanced_tag("<p><br>") == "p");
 }
 
 TEST_CASE("foreign text is never markup in the report") {
     const Folder folder;
-    const std::string page = report_html(evil_report(folder)), tame = report_html(some_report(folder));
+    const std::string page = report_html(root, evil_report(folder)),
+                      tame = report_html(root, some_report(folder));
     CHECK(!contains(page, "<img src=x"));
     CHECK(!contains(page, "<script>window.harm"));
     for (const char* part : {"<", ">", "&"}) CHECK(count(page, part) == count(tame, part));
     CHECK(contains(page, "\\u003c/script\\u003e\\u003cscript\\u003ewindow.harm = 1"));
 }
 
-const char* const report_fields[] = {"\"step\": \"03_mirror\"",
-                                     "\"question\": \"what does the mirror see?\"",
-                                     "\"own_files\": [\"03_mirror/mirror.h\"]",
+const char* const report_fields[] = {"\"step\":\"03_mirror\"",
+                                     "\"question\":\"what does the mirror see?\"",
+                                     "\"own_files\":[\"03_mirror/mirror.h\"]",
                                      "\"01_spheres: 67 of 67 checks\"",
-                                     "\"verdict\": \"different\"",
+                                     "\"verdict\":\"different\"",
                                      "Too bright by 12 %",
-                                     "\"flip_mean\": 0.0731",
-                                     "\"flip_max\": 0.8124",
-                                     "\"tiles_over_4\": 17",
-                                     "\"title\": \"the part along",
-                                     "\"confidence\": \"very likely",
-                                     "\"shows\": \"reflections are",
-                                     "\"why\": \"d.n is",
-                                     "\"fix\": \"write",
-                                     "\"next\": \"./learn hint 03 reflect\"",
-                                     "\"settings\": \"640 x 400",
-                                     "\"width\": 640",
-                                     "\"height\": 400",
-                                     "\"seconds\": null",
-                                     "\"seconds\": 0.0026",
-                                     "\"state\": \"unfinished\"",
+                                     "\"flip_mean\":0.0731",
+                                     "\"flip_max\":0.8124",
+                                     "\"tiles_over_4\":17",
+                                     "\"title\":\"the part along",
+                                     "\"confidence\":\"very likely",
+                                     "\"shows\":\"reflections are",
+                                     "\"why\":\"d.n is",
+                                     "\"fix\":\"write",
+                                     "\"next\":\"./learn hint 03 reflect\"",
+                                     "\"settings\":\"640 x 400",
+                                     "\"width\":640",
+                                     "\"height\":400",
+                                     "\"seconds\":null",
+                                     "\"seconds\":0.0026",
+                                     "\"state\":\"unfinished\"",
                                      "\"expected 0.6 within 1e-05, got -0.6\""};
 
 TEST_CASE("every field of the report is in its data") {
     const Folder folder;
-    Report report = some_report(folder);
-    report.tiles_over_4 = 17;
-    report.checks[0].seconds = std::numeric_limits<double>::quiet_NaN();
-    const std::string page = report_html(report);
+    Json report = some_report(folder);
+    report["tiles_over_4"] = 17;
+    report["checks"][0]["seconds"] = std::numeric_limits<double>::quiet_NaN();
+    const std::string page = report_html(root, report);
     for (const char* part : report_fields)
         CHECK_MESSAGE(contains(page, part), ("there is no " + std::string(part)));
 }
 
 TEST_CASE("a report without pictures or a mistake is a valid page too") {
-    const std::string page = report_html(unbuilt_report());
+    const std::string page = report_html(root, unbuilt_report());
     CHECK(count(page, "data:image/png") == 0);
-    CHECK(contains(page, "\"pictures\": {}"));
-    CHECK(contains(page, "\"mistake\": null"));
-    CHECK(contains(page, "\"tiles_over_4\": null"));
+    CHECK(contains(page, "\"pictures\":{}"));
+    CHECK(contains(page, "\"mistake\":null"));
+    CHECK(contains(page, "\"tiles_over_4\":null"));
     CHECK(unbalanced_tag(page) == "");
 }
 
 TEST_CASE("a mistake whose picture does not exist yet is reported without it") {
     const Folder folder;
-    Report report = some_report(folder);
-    report.mistake_picture = folder / "not_yet.png";
-    CHECK(count(report_html(report), "data:image/png;base64,") == 3);
-    report.mistake_picture.clear();
-    CHECK(count(report_html(report), "data:image/png;base64,") == 3);
+    Json report = some_report(folder);
+    report["mistake"]["picture"] = folder / "not_yet.png";
+    CHECK(count(report_html(root, report), "data:image/png;base64,") == 3);
+    report["mistake"].erase("picture");
+    CHECK(count(report_html(root, report), "data:image/png;base64,") == 3);
 }
 
 TEST_CASE("a picture that cannot be shown is an error that names it") {
     const Folder folder;
     const auto error = [&](auto change) {
-        Report report = some_report(folder);
+        Json report = some_report(folder);
         change(report);
-        return error_of([&] { report_html(report); });
+        return error_of([&] { report_html(root, report); });
     };
-    CHECK_ERROR(error([&](Report& r) { r.mine = folder / "gone.png"; }), "gone.png: no such file");
+    CHECK_ERROR(error([&](Json& r) { r["pictures"]["mine"] = folder / "gone.png"; }),
+                "gone.png: no such file");
     folder.write("text.png", "This is a text of more than twenty-four bytes.");
-    CHECK_ERROR(error([&](Report& r) { r.map = folder / "text.png"; }), "text.png: is no PNG picture");
+    CHECK_ERROR(error([&](Json& r) { r["pictures"]["map"] = folder / "text.png"; }),
+                "text.png: is no PNG picture");
     folder.write("short.png", bytes_of(references + "03_mirror.png").substr(0, 20));
-    CHECK_ERROR(error([&](Report& r) { r.mistake_picture = folder / "short.png"; }),
+    CHECK_ERROR(error([&](Json& r) { r["mistake"]["picture"] = folder / "short.png"; }),
                 "short.png: is no PNG picture");
-    CHECK_ERROR(error([&](Report& r) { r.reference = references + "08_indirect.png"; }), "08_indirect.png",
-                "another size", "mine.png");
+    CHECK_ERROR(error([&](Json& r) { r["pictures"]["reference"] = references + "08_indirect.png"; }),
+                "08_indirect.png", "another size", "mine.png");
 }
 
 TEST_CASE("a frame that is missing or has no place for the data is an error that names it") {
     const Folder folder;
-    Report report = unbuilt_report();
-    report.root = folder.path;
-    const auto error = [&] { return error_of([&] { report_html(report); }); };
+    Json report = unbuilt_report();
+    const auto error = [&] { return error_of([&] { report_html(folder.path, report); }); };
     CHECK_ERROR(error(), "tools/tutor/report.html: no such file");
     folder.write("tools/tutor/report.html", "<html></html>");
     CHECK_ERROR(error(), "tools/tutor/report.html: {{report}} must stand in it exactly once");
@@ -371,18 +366,18 @@ TEST_CASE("reports of each kind are written for the browser, and each is of mode
     const Folder folder;
     const std::filesystem::path out = RT_REPORTS;
     std::filesystem::create_directories(out);
-    Report single = some_report(folder);
-    single.mine.clear();
-    single.map.clear();
-    single.verdict = "the program was stopped after 10 s";
-    Report unknown = some_report(folder);
-    unknown.mistake_title.clear();
-    const std::pair<const char*, Report> reports[] = {
+    Json single = some_report(folder);
+    single["pictures"].erase("mine");
+    single["pictures"].erase("map");
+    single["verdict"] = "the program was stopped after 10 s";
+    Json unknown = some_report(folder);
+    unknown["mistake"] = nullptr;
+    const std::pair<const char*, Json> reports[] = {
         {"wrong", some_report(folder)}, {"good", good_report()}, {"unbuilt", unbuilt_report()},
         {"evil", evil_report(folder)},  {"single", single},      {"unknown", unknown}};
     for (const auto& [name, report] : reports) {
         const std::string file = (out / (std::string(name) + ".html")).string();
-        write_file(file, report_html(report));
+        write_file(file, report_html(root, report));
         CHECK(std::filesystem::file_size(file) > 20'000);
         CHECK(std::filesystem::file_size(file) < 4'000'000);
     }

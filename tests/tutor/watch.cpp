@@ -1,6 +1,6 @@
 // Facts about ./learn watch: it restores the terminal, and files may disappear for a moment.
 #include "tests/tutor/folder.h"
-#include "tools/tutor/watch.h"
+#include "tools/tutor/commands.h"
 
 #include <doctest/doctest.h>
 
@@ -15,6 +15,7 @@
 #include <unistd.h>
 
 using namespace rt;
+using namespace rt::tutor;
 
 namespace {
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 using namespace rt;
+using namespace rt::tutor;
 
 namespace {
 

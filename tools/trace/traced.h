@@ -1,10 +1,13 @@
-// Forced in front of a step's main.cpp: the program's scene becomes one that prints what every ray of one sample meets
-// and brings back. RT_SCENE and RT_RADIANCE are the headers that the program uses, RT_STEP is its number. The program
-// is not changed. Run it with one thread, on a crop of one pixel; RAYSTEPS_TRACE_SAMPLE says which sample of it (1).
+// Included before a step's main.cpp: overloads that print what every ray of one sample hits and returns.
+//
+// The program is not changed. Its scene is a Counted<Scene>, and functions for that very type are better matches than
+// templates. RT_SCENE and RT_RADIANCE are the headers that the program uses, RT_STEP is its number. Run it with one
+// thread, on a crop of one pixel; the environment variable RAYSTEPS_TRACE_SAMPLE says which sample to print (default 1).
 #pragma once
 
 #include RT_SCENE
 #include RT_RADIANCE
+#include "01_spheres/program/counted.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -15,8 +18,7 @@
 
 namespace rt {
 
-/// A Scene in every respect; but being another type, it is passed to the functions below, which fit it better.
-struct TracedScene : Scene {};
+using TracedScene = Counted<Scene>;
 
 namespace trace {
 
@@ -91,14 +93,14 @@ vec3 below(const Radiance& radiance) {
 } // namespace trace
 
 inline std::optional<Hit> intersect(const TracedScene& scene, const Ray& ray) {
-    const auto hit = intersect(static_cast<const Scene&>(scene), ray);
+    const std::optional<Hit> hit = intersect<Scene>(scene, ray);
     trace::say_hit(scene, ray, hit);
     return hit;
 }
 
 #if RT_STEP >= 2
 inline bool occluded(const TracedScene& scene, const Ray& ray) {
-    const bool dark = occluded(static_cast<const Scene&>(scene), ray);
+    const bool dark = occluded<Scene>(scene, ray);
     trace::say("shadow ray from %s to %s: %s", trace::place(scene, ray.origin).c_str(),
                trace::place(scene, at(ray, ray.t_max)).c_str(), dark ? "something is between" : "free");
     return dark;
@@ -127,5 +129,3 @@ vec3 radiance(const TracedScene& scene, const AreaLights& lights, const PathSett
 #endif
 
 } // namespace rt
-
-#define Scene TracedScene

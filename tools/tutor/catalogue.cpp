@@ -1,27 +1,21 @@
-// Reads the catalogue of mistakes, finds its faults, and makes mistakes.
-#include "tools/tutor/catalogue.h"
-
+// Reads the catalogue of mistakes, finds its faults, makes mistakes, and finds their pictures.
 #include "common/util/error.h"
 #include "common/util/file_bytes.h"
+#include "tools/tutor/catalogue.h"
 #include "tools/tutor/exercises.h"
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <set>
+#include <sstream>
 #include <string_view>
 
-namespace rt {
+namespace rt::tutor {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string trimmed(std::string_view text) {
-    const auto blank = [](char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; };
-    while (!text.empty() && blank(text.front())) text.remove_prefix(1);
-    while (!text.empty() && blank(text.back())) text.remove_suffix(1);
-    return std::string(text);
-}
 
 /// Goes through the lines of one catalogue and knows where it is.
 class Reader {
@@ -35,7 +29,7 @@ class Reader {
     [[noreturn]] void complain(const std::string& what) const { throw Error(place() + ": " + what); }
 
   private:
-    std::vector<std::string> lines;
+    Words lines;
     std::string path;
     std::size_t next = 0;
 };
@@ -109,9 +103,9 @@ Mistake read_mistake(Reader& reader, const std::string& step) {
     return mistake;
 }
 
-/// Whether the lines of `patch` that must be there stand at `lines[begin]`; blanks at their ends do not count.
-bool stands_at(const std::vector<std::string>& wanted, const std::vector<std::string>& lines,
-               std::size_t begin) {
+/// Whether the lines of `patch` that must be there stand at `lines[begin]`; blanks at their ends do not
+/// count.
+bool stands_at(const Words& wanted, const Words& lines, std::size_t begin) {
     if (begin + wanted.size() > lines.size()) return false;
     for (std::size_t i = 0; i < wanted.size(); ++i)
         if (trimmed(lines[begin + i]) != wanted[i]) return false;
@@ -119,8 +113,7 @@ bool stands_at(const std::vector<std::string>& wanted, const std::vector<std::st
 }
 
 /// Where the lines that must be there stand.
-std::size_t find_place(const Mistake& mistake, const std::vector<std::string>& lines,
-                       const std::vector<std::string>& wanted) {
+std::size_t find_place(const Mistake& mistake, const Words& lines, const Words& wanted) {
     std::size_t found = lines.size();
     for (std::size_t begin = 0; begin < lines.size(); ++begin) {
         if (!stands_at(wanted, lines, begin)) continue;
@@ -158,8 +151,8 @@ std::vector<Mistake> parse_catalogue(const std::string& text, const std::string&
 }
 
 std::string with_mistake(const Mistake& mistake, const std::string& header) {
-    const std::vector<std::string> lines = lines_of(header);
-    std::vector<std::string> wanted;
+    const Words lines = lines_of(header);
+    Words wanted;
     for (const PatchLine& line : mistake.patch)
         if (line.kind != '+') wanted.push_back(trimmed(line.text));
     const std::size_t place = find_place(mistake, lines, wanted);
@@ -189,4 +182,33 @@ std::vector<Mistake> read_catalogue(const fs::path& root, const std::string& ste
     return mistakes;
 }
 
-} // namespace rt
+fs::path gallery_picture(const fs::path& root, const std::string& step, const std::string& id) {
+    return root / "exercises" / step / "gallery" / (id + ".png");
+}
+
+std::string reference_fact(const fs::path& root, const std::string& step, const std::string& key) {
+    std::istringstream lines(read_file((root / "assets" / "reference" / (step + ".txt")).string()));
+    for (std::string line; std::getline(lines, line);)
+        if (line.starts_with(key + ": ")) return line.substr(key.size() + 2);
+    return "";
+}
+
+Words gallery_flags(const fs::path& root, const std::string& step) {
+    const auto part = [&](const std::string& side) {
+        return std::to_string(std::max(1, std::atoi(reference_fact(root, step, side).c_str()) * 3 / 8));
+    };
+    return {"--width", part("width"), "--height", part("height"), "--samples", "16"};
+}
+
+compare::CatalogueMatch nearest_mistake(const fs::path& root, const std::string& step,
+                                        const fs::path& picture) {
+    const fs::path right = gallery_picture(root, step, "right");
+    std::error_code ignored;
+    if (!fs::exists(right, ignored)) return {};
+    std::vector<compare::CatalogueImage> wrong = compare::read_catalogue_images(right.parent_path().string());
+    std::erase_if(wrong, [](const compare::CatalogueImage& known) { return known.name == "right"; });
+    return compare::find_in_catalogue(compare::read_encoded(picture.string()),
+                                      compare::read_encoded(right.string()), {}, wrong);
+}
+
+} // namespace rt::tutor

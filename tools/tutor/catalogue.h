@@ -1,12 +1,15 @@
-// The catalogue of mistakes: exercises/NN_name/mistakes.md holds what learners of a step do wrong, each as the smallest change to
-// the reference, with what the picture shows then, why, and what to do.
+// The catalogue of mistakes: exercises/NN_name/mistakes.md holds what learners of a step do wrong, and
+// gallery/ what that looks like.
 #pragma once
+
+#include "tools/compare/catalogue.h"
+#include "tools/tutor/util.h"
 
 #include <filesystem>
 #include <string>
 #include <vector>
 
-namespace rt {
+namespace rt::tutor {
 
 /// One line of a change: ' ' must be there, '-' must be there and goes, '+' comes in its place.
 struct PatchLine {
@@ -33,8 +36,24 @@ std::vector<Mistake> parse_catalogue(const std::string& text, const std::string&
 /// The header with the mistake in it. Throws Error if the patch does not apply, or applies in two places.
 std::string with_mistake(const Mistake& mistake, const std::string& header);
 
-/// The mistakes of a step, from `root`/exercises/NN_name/mistakes.md; none if there is no such file. All apply to
-/// `root`/steps. Throws Error.
+/// The mistakes of a step, from `root`/exercises/NN_name/mistakes.md; none if there is no such file. All
+/// apply to `root`/steps. Throws Error.
 std::vector<Mistake> read_catalogue(const std::filesystem::path& root, const std::string& step);
 
-} // namespace rt
+/// `root`/exercises/03_mirror/gallery/far-root.png; the right picture is called "right".
+std::filesystem::path gallery_picture(const std::filesystem::path& root, const std::string& step,
+                                      const std::string& id);
+
+/// What an assets/reference/NN_name.txt says after `key: `; empty if it does not.
+std::string reference_fact(const std::filesystem::path& root, const std::string& step,
+                           const std::string& key);
+
+/// The flags with which a step's program renders for the gallery: the reference's view on 3/8 of its pixels.
+Words gallery_flags(const std::filesystem::path& root, const std::string& step);
+
+/// The ids of the mistakes whose picture this one is, rendered with those flags; none if it is like none of
+/// them.
+compare::CatalogueMatch nearest_mistake(const std::filesystem::path& root, const std::string& step,
+                                        const std::filesystem::path& picture);
+
+} // namespace rt::tutor

@@ -1,20 +1,18 @@
-// One question after the other: does it compile, do the checks hold, is the picture right, what is likely wrong, what
-// is next.
-#include "tools/tutor/check.h"
+// One question after the other: does it compile, do the checks hold, is the picture right, what is likely
+// wrong, what is next.
+#include "tools/tutor/commands.h"
 
 #include "common/util/report_error.h"
 #include "common/util/error.h"
 #include "common/util/file_bytes.h"
 #include "tools/tutor/catalogue.h"
-#include "tools/tutor/check_files.h"
-#include "tools/tutor/check_picture.h"
-#include "tools/tutor/check_run.h"
-#include "tools/tutor/compile.h"
+#include "tools/tutor/workshop.h"
+#include "tools/tutor/check_parts.h"
+#include "tools/tutor/build.h"
 #include "tools/tutor/diagnosis.h"
-#include "tools/tutor/gallery.h"
 #include "tools/tutor/hints.h"
 #include "tools/tutor/report.h"
-#include "tools/tutor/temporary.h"
+#include "tools/tutor/util.h"
 
 #include <algorithm>
 #include <chrono>
@@ -22,7 +20,7 @@
 #include <optional>
 #include <sstream>
 
-namespace rt {
+namespace rt::tutor {
 
 namespace fs = std::filesystem;
 
@@ -39,15 +37,15 @@ struct Findings {
     fs::path scratch; ///< a folder of this run alone
     std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
     std::vector<Exercise> exercises;
-    std::vector<std::string> untouched; ///< exercises that still are as the stub has them
-    std::vector<CheckedFile> files;     ///< in the order in which they are to be told
-    std::vector<CheckResult> checks;    ///< of all of them
-    std::vector<std::string> earlier;   ///< a line a step
+    Words untouched;                 ///< exercises that still are as the stub has them
+    std::vector<CheckedFile> files;  ///< in the order in which they are to be told
+    std::vector<CheckResult> checks; ///< of all of them
+    Words earlier;                   ///< a line a step
     bool earlier_hold = true;
     PictureFinding picture;
     Diagnosis diagnosis;
     std::optional<Mistake> mistake; ///< the likely one
-    std::vector<std::string> alike; ///< mistakes that make the same picture
+    Words similar_mistakes;         ///< mistakes that make the same picture
     std::string next;
 };
 
@@ -61,25 +59,21 @@ std::size_t failures(const std::vector<CheckResult>& checks) {
     return std::size_t(std::ranges::count_if(checks, has_failed));
 }
 
-std::string number_of(const std::string& step) {
-    return step.substr(0, 2);
-}
-
-std::string held(const std::vector<CheckResult>& checks) {
+std::string passed_of(const std::vector<CheckResult>& checks) {
     return std::to_string(checks.size() - failures(checks)) + " of " + std::to_string(checks.size()) +
            " checks";
 }
 
 /// Exercises that the learner has begun to write, but left as they were.
-std::vector<std::string> untouched_exercises(const Project& project, const std::string& step,
-                                             const std::vector<Exercise>& exercises) {
-    std::vector<std::string> names;
+Words untouched_exercises(const Project& project, const std::string& step,
+                          const std::vector<Exercise>& exercises) {
+    Words names;
     for (const Exercise& exercise : exercises) {
         const fs::path own = project.workshop / step / exercise.file;
         std::error_code ignored;
         if (!fs::is_regular_file(own, ignored)) continue;
         const std::string reference = read_file((steps_folder(project) / step / exercise.file).string());
-        const std::string stub = cut(reference, find_exercises(reference, exercise.file));
+        const std::string stub = make_stub(reference, find_exercises(reference, exercise.file));
         if (is_untouched(exercise, read_file(own.string()), stub)) names.push_back(exercise.name);
     }
     return names;
@@ -104,14 +98,14 @@ const Exercise* exercise_at(const Project& project, const std::vector<Exercise>&
 }
 
 /// The first error alone, and the first hint for the function that it is in.
-void say_compile_error(const Project& project, const std::string& step, const Built& built,
-                       Findings& findings, std::ostream& out) {
+void print_compile_error(const Project& project, const std::string& step, const BuildResult& built,
+                         Findings& findings, std::ostream& out) {
     if (!built.error)
-        throw Error(
-            "the build failed, but not for an error in a file; the next ./learn check mends broken files of "
-            "the build itself; it says: " +
-            built.log);
-    const std::string place = shown(built.error->file, built.error->line);
+        throw Error("the build failed (exit code " + std::to_string(built.code) +
+                    "), but not for an error in a file; the next ./learn check mends broken files of "
+                    "the build itself; it says: " +
+                    built.log);
+    const std::string place = display_path(built.error->file, built.error->line);
     out << "It does not compile yet. The first error:\n\n  " << place << "\n    "
         << printable(built.error->message) << "\n\n";
     findings.picture = no_picture("it does not compile yet");
@@ -125,34 +119,36 @@ void say_compile_error(const Project& project, const std::string& step, const Bu
     findings.next = "./learn hint " + number_of(step) + " " + exercise->name;
 }
 
-/// One file of checks. Once all of them hold, nothing but another program changes that: what they said then is kept.
-std::vector<CheckResult> run_file(const CheckWish& wish, const std::string& file, const fs::path& scratch) {
-    const fs::path program = wish.build / "bin" / ("test_" + file), said = scratch / "checks.txt",
-                   kept = wish.build / ("said_" + file + ".txt");
+/// One file of checks. Once all of them hold, nothing but another program changes that: what they said then
+/// is kept.
+std::vector<CheckResult> run_file(const CheckOptions& options, const std::string& file,
+                                  const fs::path& scratch) {
+    const fs::path program = options.build / "bin" / ("test_" + file), log = scratch / "checks.txt",
+                   kept = options.build / ("said_" + file + ".txt");
     std::error_code ignored;
     const fs::file_time_type made = fs::last_write_time(program, ignored);
     if (fs::last_write_time(kept, ignored) > made) return parse_results(read_file(kept.string()));
-    std::vector<CheckResult> checks = run_all_checks(program, said);
+    std::vector<CheckResult> checks = run_all_checks(program, log);
     if (failures(checks) == 0 && fs::last_write_time(program, ignored) == made)
-        fs::rename(said, kept, ignored);
+        fs::rename(log, kept, ignored);
     return checks;
 }
 
 /// Those that a learner waits for.
-std::vector<std::string> quick_files(const Project& project, const std::string& step) {
-    std::vector<std::string> files = check_files(project.root, step);
+Words quick_files(const Project& project, const std::string& step) {
+    Words files = check_files(project.root, step);
     std::erase_if(files, is_slow);
     return files;
 }
 
 /// The steps before; what the learner wrote there counts here as well.
-void run_earlier(const Project& project, const CheckWish& wish, Findings& findings) {
+void run_earlier(const Project& project, const CheckOptions& options, Findings& findings) {
     for (const std::string& step : all_steps(project)) {
-        if (step >= wish.step) break;
+        if (step >= options.step) break;
         std::vector<CheckResult> checks;
         for (const std::string& file : quick_files(project, step))
-            std::ranges::move(run_file(wish, file, findings.scratch), std::back_inserter(checks));
-        findings.earlier.push_back(step + ": " + held(checks));
+            std::ranges::move(run_file(options, file, findings.scratch), std::back_inserter(checks));
+        findings.earlier.push_back(step + ": " + passed_of(checks));
         findings.earlier_hold = findings.earlier_hold && failures(checks) == 0;
     }
 }
@@ -168,10 +164,10 @@ bool is_of_untouched(const std::string& step, const std::string& file, const Fin
     return of_some;
 }
 
-/// The functions that a check which does not end may hang in: of those that its file of checks is about and that are
-/// written, those that have a loop or call themselves, or else all.
-std::vector<std::string> suspects(const Project& project, const std::string& step, const Findings& findings) {
-    std::vector<std::string> all, loops;
+/// The functions that a check which does not end may hang in: of those that its file of checks is about and
+/// that are written, those that have a loop or call themselves, or else all.
+Words suspects(const Project& project, const std::string& step, const Findings& findings) {
+    Words all, loops;
     for (const Exercise& exercise : findings.exercises) {
         const std::string path = (project.workshop / step / exercise.file).string();
         const auto& untouched = findings.untouched;
@@ -180,26 +176,27 @@ std::vector<std::string> suspects(const Project& project, const std::string& ste
         std::error_code ignored;
         if (!written || findings.diagnosis.endless->failures.front().place != program) continue;
         if (!fs::is_regular_file(path, ignored)) continue;
-        all.push_back(exercise.name + " (" + shown(path, place_of(exercise, read_file(path))) + ")");
+        all.push_back(exercise.name + " (" + display_path(path, place_of(exercise, read_file(path))) + ")");
         if (may_not_end(exercise, read_file(path))) loops.push_back(all.back());
     }
     return loops.empty() ? all : loops;
 }
 
 /// By what the checks say. A picture that is wrong is compared with those of the known mistakes, too.
-void find_mistake(const Project& project, const CheckWish& wish, Findings& findings) {
+void find_mistake(const Project& project, const CheckOptions& options, Findings& findings) {
     std::vector<std::vector<CheckResult>> written;
     for (const CheckedFile& file : findings.files)
-        if (!is_of_untouched(wish.step, file.name, findings)) written.push_back(file.results);
-    findings.diagnosis = diagnose(read_signatures(project.root, wish.step), written);
-    if (findings.diagnosis.endless) findings.diagnosis.suspects = suspects(project, wish.step, findings);
+        if (!is_of_untouched(options.step, file.name, findings)) written.push_back(file.results);
+    findings.diagnosis = diagnose(read_signatures(project.root, options.step), written);
+    if (findings.diagnosis.endless) findings.diagnosis.suspects = suspects(project, options.step, findings);
     const bool begun = findings.untouched.size() < findings.exercises.size();
     if (begun && findings.picture.judgement && !findings.picture.holds)
-        findings.alike = alike(project.root, wish.step, wish.build, findings.scratch);
-    for (const Mistake& mistake : read_catalogue(project.root, wish.step)) {
+        findings.similar_mistakes =
+            similar_mistakes(project.root, options.step, options.build, findings.scratch);
+    for (const Mistake& mistake : read_catalogue(project.root, options.step)) {
         if (!findings.diagnosis.ids.empty() && mistake.id == findings.diagnosis.ids.front())
             findings.mistake = mistake;
-        if (std::ranges::find(findings.alike, mistake.id) != findings.alike.end())
+        if (std::ranges::find(findings.similar_mistakes, mistake.id) != findings.similar_mistakes.end())
             findings.picture.lines.push_back("looks like the known mistake: " + mistake.title);
     }
 }
@@ -209,12 +206,12 @@ bool all_hold(const Findings& findings) {
 }
 
 std::string next_step_after(const Project& project, const std::string& step) {
-    const std::vector<std::string> steps = all_steps(project);
+    const Words steps = all_steps(project);
     const auto place = std::ranges::find(steps, step);
     return place + 1 < steps.end() ? *(place + 1) : "";
 }
 
-std::string next_thing(const Project& project, const std::string& step, const Findings& findings) {
+std::string next_command(const Project& project, const std::string& step, const Findings& findings) {
     const std::string number = number_of(step);
     if (own_files(project, step).empty()) return "./learn start " + number;
     if (!findings.untouched.empty()) return "./learn hint " + number + " " + findings.untouched.front();
@@ -226,7 +223,7 @@ std::string next_thing(const Project& project, const std::string& step, const Fi
 
 // --- one screen -------------------------------------------------------------------------------------------------
 
-void say_failure(const CheckResult& check, std::ostream& out) {
+void print_failure(const CheckResult& check, std::ostream& out) {
     out << "  red     " << printable(check.name) << "\n";
     if (check.failures.empty()) return;
     const Failure& failure = check.failures.front();
@@ -234,9 +231,9 @@ void say_failure(const CheckResult& check, std::ostream& out) {
     if (!failure.notes.empty()) out << "            " << printable(failure.notes.front()) << "\n";
 }
 
-void say_checks(const Project& project, const std::string& step, const Findings& findings,
-                std::ostream& out) {
-    out << "checks    " << held(findings.checks) << " hold";
+void print_checks(const Project& project, const std::string& step, const Findings& findings,
+                  std::ostream& out) {
+    out << "checks    " << passed_of(findings.checks) << " hold";
     const std::size_t gaps = findings.untouched.size();
     if (gaps > 0)
         out << "; " << gaps << " of " << findings.exercises.size() << " functions still are as they were cut"
@@ -244,15 +241,15 @@ void say_checks(const Project& project, const std::string& step, const Findings&
     out << "\n";
     int said = 0;
     for (const CheckResult& check : findings.checks)
-        if (has_failed(check) && said++ < 3) say_failure(check, out);
+        if (has_failed(check) && said++ < 3) print_failure(check, out);
     if (said > 3) out << "  red     and " << said - 3 << " more: the report has them\n";
     if (own_files(project, step).empty())
         out << "          workshop/" << step << " holds no file of yours: this is the reference\n";
 }
 
 /// While all is still as it was cut, the stub is the mistake.
-void say_mistake(const Project& project, const std::string& step, const Findings& findings,
-                 std::ostream& out) {
+void print_mistake(const Project& project, const std::string& step, const Findings& findings,
+                   std::ostream& out) {
     if (findings.untouched.size() == findings.exercises.size()) return;
     std::istringstream lines(explanation(findings.diagnosis, read_catalogue(project.root, step)));
     std::string margin = "likely    ";
@@ -262,46 +259,66 @@ void say_mistake(const Project& project, const std::string& step, const Findings
 
 // --- what stays -------------------------------------------------------------------------------------------------
 
-ReportCheck report_check(const CheckResult& check) {
-    ReportCheck shown{check.name, "ok", check.seconds, {}};
-    if (check.state == CheckState::failed) shown.state = "failed";
-    if (check.state == CheckState::skipped) shown.state = "skipped";
-    if (check.state == CheckState::unfinished || check.state == CheckState::endless)
-        shown.state = "unfinished";
+Json check_json(const CheckResult& check) {
+    const bool ended = check.state == CheckState::ok || check.state == CheckState::failed ||
+                       check.state == CheckState::skipped;
+    Words lines;
     for (const Failure& failure : check.failures) {
-        shown.lines.push_back(failure.expression + ": " + failure.values);
-        shown.lines.insert(shown.lines.end(), failure.notes.begin(), failure.notes.end());
+        lines.push_back(failure.expression + ": " + failure.values);
+        append(lines, failure.notes);
     }
-    return shown;
+    return {{"name", check.name},
+            {"state", !ended                          ? "unfinished"
+                      : check.state == CheckState::ok ? "ok"
+                      : has_failed(check)             ? "failed"
+                                                      : "skipped"},
+            {"seconds", check.seconds},
+            {"lines", lines}};
 }
 
-fs::path write_report(const Project& project, const CheckWish& wish, const Findings& findings) {
-    Report report;
-    report.root = project.root;
-    report.step = wish.step;
-    report.question = question_of(project, wish.step);
-    for (const std::string& file : own_files(project, wish.step))
-        report.own_files.push_back(wish.step + "/" + file);
-    for (const CheckResult& check : findings.checks) report.checks.push_back(report_check(check));
-    report.earlier = findings.earlier;
-    fill(report, findings.picture);
-    if (findings.mistake) {
-        report.mistake_title = findings.mistake->title;
-        report.mistake_confidence = words(findings.diagnosis.confidence);
-        report.mistake_shows = findings.mistake->shows;
-        report.mistake_why = findings.mistake->why;
-        report.mistake_fix = findings.mistake->fix;
-        report.mistake_picture = gallery_picture(project.root, wish.step, findings.mistake->id);
-    }
-    report.next = findings.next;
-    const fs::path folder = project.workshop / "report";
+Json mistake_json(const Project& project, const Findings& findings) {
+    if (!findings.mistake) return nullptr;
+    const Mistake& mistake = *findings.mistake;
+    return {{"title", mistake.title},
+            {"confidence", name_of(findings.diagnosis.confidence)},
+            {"shows", mistake.shows},
+            {"why", mistake.why},
+            {"fix", mistake.fix},
+            {"picture", gallery_picture(project.root, mistake.step, mistake.id).string()}};
+}
+
+fs::path write_report(const Project& project, const CheckOptions& options, const Findings& findings) {
+    const PictureFinding& picture = findings.picture;
+    Json report{{"step", options.step},
+                {"question", question_of(project, options.step)},
+                {"own_files", Json::array()},
+                {"checks", Json::array()},
+                {"earlier", findings.earlier},
+                {"verdict", picture.judgement ? picture.verdict : picture.reason},
+                {"verdict_lines", picture.lines},
+                {"flip_mean", picture.judgement ? picture.judgement->flip.mean : 0},
+                {"flip_max", picture.judgement ? picture.judgement->flip.max : 0},
+                {"tiles_over_4", nullptr},
+                {"mistake", mistake_json(project, findings)},
+                {"next", findings.next},
+                {"settings", picture.settings},
+                {"pictures",
+                 {{"mine", picture.mine.string()},
+                  {"reference", picture.reference.string()},
+                  {"map", picture.map.string()}}}};
+    for (const std::string& file : own_files(project, options.step))
+        report["own_files"].push_back(options.step + "/" + file);
+    for (const CheckResult& check : findings.checks) report["checks"].push_back(check_json(check));
+    if (picture.judgement && picture.judgement->tiles)
+        report["tiles_over_4"] = picture.judgement->tiles->outliers;
+    const fs::path folder = project.workshop / "report", path = folder / (options.step + ".html");
     make_folder(folder);
-    const fs::path path = folder / (wish.step + ".html");
-    write_file(path.string(), report_html(report));
+    write_file(path.string(), report_html(project.root, report));
     return path;
 }
 
-/// Of the learner's headers that have checks of their own, the one that was saved last; else the first of the step's.
+/// Of the learner's headers that have checks of their own, the one that was saved last; else the first of the
+/// step's.
 std::string saved_last(const Project& project, const std::string& step) {
     std::string last;
     fs::file_time_type when = fs::file_time_type::min();
@@ -319,19 +336,21 @@ std::string saved_last(const Project& project, const std::string& step) {
 }
 
 /// What somebody waits for, as soon as it is there: the checks of the file that was saved, then the picture.
-Built answer_quickly(const Project& project, const CheckWish& wish, Findings& findings, std::ostream& out) {
-    const std::string file = saved_last(project, wish.step), checks = check_file_of(wish.step, file);
-    std::vector<std::string> targets{"test_" + checks};
-    if (wish.picture) targets.push_back(wish.step);
-    const fs::path said = findings.scratch / "built.txt";
-    const Built built = build_targets(wish.build, targets, said, "/workshop/", [&] {
-        const std::vector<CheckResult> results = run_file(wish, checks, findings.scratch);
-        out << "first     " << file << ", quick ones: " << held(results) << " hold ("
+BuildResult check_saved_file(const Project& project, const CheckOptions& options, Findings& findings,
+                             std::ostream& out) {
+    const std::string file = saved_last(project, options.step), checks = check_file_of(options.step, file);
+    Words targets{"test_" + checks};
+    if (options.picture) targets.push_back(options.step);
+    const fs::path log = findings.scratch / "built.txt";
+    const BuildResult built = build_targets(options.build, targets, log, "/workshop/", [&] {
+        const std::vector<CheckResult> results = run_file(options, checks, findings.scratch);
+        out << "first     " << file << ", quick ones: " << passed_of(results) << " hold ("
             << seconds_since(findings) << " s)\n"
             << std::flush;
     });
-    if (!built.well || !wish.picture) return built;
-    findings.picture = judge_picture(project.root, wish.step, wish.build, findings.scratch, Samples::few);
+    if (!built.succeeded || !options.picture) return built;
+    findings.picture =
+        judge_picture(project.root, options.step, options.build, findings.scratch, Samples::few);
     out << (findings.picture.complete ? "picture   " : "glimpse   ") << findings.picture.lines.front() << " ("
         << seconds_since(findings) << " s)\n"
         << std::flush;
@@ -339,57 +358,61 @@ Built answer_quickly(const Project& project, const CheckWish& wish, Findings& fi
 }
 
 /// The step's other checks, and those of the steps before: what changed of them.
-Built build_others(const Project& project, const CheckWish& wish, Findings& findings, std::ostream& out) {
-    std::vector<std::string> targets;
+BuildResult build_others(const Project& project, const CheckOptions& options, Findings& findings,
+                         std::ostream& out) {
+    Words targets;
     for (const std::string& step : all_steps(project))
-        if (step <= wish.step)
+        if (step <= options.step)
             for (const std::string& file : quick_files(project, step)) targets.push_back("test_" + file);
-    const Built built = build_targets(wish.build, targets, findings.scratch / "built.txt", "/workshop/");
+    const BuildResult built =
+        build_targets(options.build, targets, findings.scratch / "built.txt", "/workshop/");
     out << "built     the other checks (" << seconds_since(findings) << " s)\n" << std::flush;
     return built;
 }
 
 /// Runs the checks, renders, compares; says what holds, what is likely wrong and what is next.
-void find_out(const Project& project, const CheckWish& wish, Findings& findings, std::ostream& out) {
-    for (const std::string& file : quick_files(project, wish.step)) {
-        findings.files.push_back({file, run_file(wish, file, findings.scratch)});
+void run_and_compare(const Project& project, const CheckOptions& options, Findings& findings,
+                     std::ostream& out) {
+    for (const std::string& file : quick_files(project, options.step)) {
+        findings.files.push_back({file, run_file(options, file, findings.scratch)});
         std::ranges::copy(findings.files.back().results, std::back_inserter(findings.checks));
     }
-    say_checks(project, wish.step, findings, out);
+    print_checks(project, options.step, findings, out);
     out << std::flush;
-    run_earlier(project, wish, findings);
+    run_earlier(project, options, findings);
     for (const std::string& line : findings.earlier) out << "earlier   " << printable(line) << "\n";
-    if (!wish.picture)
+    if (!options.picture)
         findings.picture = no_picture("only the checks were asked for");
     else if (!findings.picture.complete)
-        findings.picture = judge_picture(project.root, wish.step, wish.build, findings.scratch, Samples::all);
-    find_mistake(project, wish, findings);
+        findings.picture =
+            judge_picture(project.root, options.step, options.build, findings.scratch, Samples::all);
+    find_mistake(project, options, findings);
     for (const std::string& line : findings.picture.lines) out << "picture   " << printable(line) << "\n";
-    say_mistake(project, wish.step, findings, out);
-    findings.next = next_thing(project, wish.step, findings);
+    print_mistake(project, options.step, findings, out);
+    findings.next = next_command(project, options.step, findings);
 }
 
 } // namespace
 
-int check_step(const Project& project, const CheckWish& wish, std::ostream& out) {
-    const TemporaryFolder scratch(wish.build);
+int check_step(const Project& project, const CheckOptions& options, std::ostream& out) {
+    const TemporaryFolder scratch(options.build);
     Findings findings;
     findings.scratch = scratch.path;
-    findings.exercises = exercises_of(project, wish.step);
-    findings.untouched = untouched_exercises(project, wish.step, findings.exercises);
-    out << "Step " << number_of(wish.step) << ": " << question_of(project, wish.step) << "\n";
-    Built built = answer_quickly(project, wish, findings, out);
-    if (built.well) built = build_others(project, wish, findings, out);
-    if (built.well)
-        find_out(project, wish, findings, out);
+    findings.exercises = exercises_of(project, options.step);
+    findings.untouched = untouched_exercises(project, options.step, findings.exercises);
+    out << "Step " << number_of(options.step) << ": " << question_of(project, options.step) << "\n";
+    BuildResult built = check_saved_file(project, options, findings, out);
+    if (built.succeeded) built = build_others(project, options, findings, out);
+    if (built.succeeded)
+        run_and_compare(project, options, findings, out);
     else
-        say_compile_error(project, wish.step, built, findings, out);
-    const fs::path report = write_report(project, wish, findings);
-    write_check(project, wish.step,
+        print_compile_error(project, options.step, built, findings, out);
+    const fs::path report = write_report(project, options, findings);
+    write_check(project, options.step,
                 {int(findings.checks.size() - failures(findings.checks)), int(failures(findings.checks)),
-                 findings.picture.verdict, fingerprint(project, wish.step)});
-    out << "next      " << findings.next << "\nreport    " << shown(report) << "\n";
-    return built.well && all_hold(findings) ? 0 : 1;
+                 findings.picture.verdict, fingerprint(project, options.step)});
+    out << "next      " << findings.next << "\nreport    " << display_path(report) << "\n";
+    return built.succeeded && all_hold(findings) ? 0 : 1;
 }
 
-} // namespace rt
+} // namespace rt::tutor

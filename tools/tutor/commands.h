@@ -1,32 +1,89 @@
-// What the tutor does, one function a command. Each writes what it has to say to `out`, in finished words, and throws
-// Error for wrong words and files that cannot be read or written.
+// The commands of ./learn, one function each. They print finished text and throw: Error for wrong arguments
+// and for files that cannot be read or written, CommandFailed for what did not work, Stop for an exit code
+// that needs no more words.
 #pragma once
 
 #include "tools/tutor/workshop.h"
 
+#include <filesystem>
 #include <ostream>
 #include <string>
+#include <vector>
 
-namespace rt {
+namespace rt::tutor {
 
-/// Cuts the stubs of a step into the workshop, and says what to write.
+/// Cuts the stubs of a step into the workshop, and lists what to write.
 void start_step(const Project& project, const std::string& step, std::ostream& out);
 
-/// Where the learner stands in all steps, and what is next.
+/// Prints where the learner stands in all steps, and what is next.
 void show_status(const Project& project, std::ostream& out);
 
 /// Which of an exercise's hints to show.
-enum class HintWish { next, again, all, reset };
+enum class HintMode { next, again, all, reset };
 
-/// Without a name: lists the exercises of the step, or forgets (reset) which hints of theirs were shown.
-void show_hints(const Project& project, const std::string& step, const std::string& name, HintWish wish,
+/// Without a name: lists the exercises of the step, or forgets (reset) which of their hints were shown.
+void show_hints(const Project& project, const std::string& step, const std::string& name, HintMode mode,
                 std::ostream& out);
 
-/// The reference against the learner's file, or all of the learner's files of the step if `file` is empty.
+/// Prints the reference against the learner's file, or against all of the learner's files of the step if
+/// `file` is empty.
 void show_diff(const Project& project, const std::string& step, const std::string& file, bool colour,
                std::ostream& out);
 
 /// Moves the learner's file out of the way, or all files of the step if `file` is empty.
 void undo_files(const Project& project, const std::string& step, const std::string& file, std::ostream& out);
 
-} // namespace rt
+/// Builds and renders a step, with flags for its program, or all steps if `step` is empty, and compares with
+/// the references. Returns the exit code: 1 if a picture differs.
+int run_steps(const Project& project, const std::string& step, const Words& flags);
+
+/// Renders the references of a step, or of all steps if `step` is empty, and their contact sheet.
+void make_references(const Project& project, const std::string& step);
+
+/// Makes the pictures and plots of the chapters of these steps, or of all chapters if there are none.
+void make_figures(const Project& project, const Words& steps);
+
+/// Runs the checks of a step or of a group, or all if `word` is empty; writes JUnit XML unless `junit` is
+/// empty. Returns the exit code: 1 if a check fails.
+int run_tests(const Project& project, const std::string& word, const std::string& junit);
+
+struct Pixel {
+    int x = 0, y = 0, sample = 1; ///< from the top left, from 0; samples from 1
+};
+
+/// Prints the rays of one sample of a pixel, with flags for the step's program.
+void trace_pixel(const Project& project, const std::string& step, const Pixel& pixel, const Words& flags);
+
+struct BenchOptions {
+    std::string name; ///< empty or "all": all of them
+    std::string json, out;
+    bool quick = false;
+    Words flags; ///< for the benchmark's program
+};
+
+void run_benchmarks(const Project& project, const BenchOptions& options);
+
+struct FuzzOptions {
+    std::string target; ///< empty: all
+    int seconds = 60, seed = 0;
+};
+
+Words fuzz_targets(const Project& project);
+
+/// Returns the exit code: 1 if an input breaks a target.
+int fuzz(const Project& project, const FuzzOptions& options);
+
+struct CheckOptions {
+    std::string step;
+    std::filesystem::path build; ///< a configured build with the checks of all steps
+    bool picture = true;         ///< false: the checks alone
+};
+
+/// Answers the exit code: 0 if all holds, 1 if not. Writes workshop/.state and workshop/report/NN_name.html.
+/// Throws Error for what is no fault of the learner's code.
+int check_step(const Project& project, const CheckOptions& options, std::ostream& out);
+
+/// Until q is typed (or the input ends where it is no terminal). Answers the exit code of the last check.
+int watch_step(const Project& project, const CheckOptions& options, std::ostream& out);
+
+} // namespace rt::tutor

@@ -11,23 +11,12 @@
 #include <cstdlib>
 #include <set>
 
-namespace rt {
+namespace rt::tutor {
 
 namespace {
 
 const std::string not_ended = "(the check did not end)";
 constexpr std::size_t longest_values = 100;
-
-std::vector<std::string> split(std::string_view line, char separator) {
-    std::vector<std::string> parts(1);
-    for (const char c : line) {
-        if (c == separator)
-            parts.emplace_back();
-        else
-            parts.back() += c;
-    }
-    return parts;
-}
 
 bool is_word(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
@@ -47,15 +36,15 @@ struct Sets {
     std::set<std::string> checks, assertions, values;
 
     explicit Sets(const Signature& signature) {
-        for (const Symptom& symptom : signature.symptoms) {
-            checks.insert(symptom.check);
-            assertions.insert(symptom.check + "\t" + symptom.expression);
-            values.insert(symptom.check + "\t" + symptom.expression + "\t" + symptom.values);
+        for (const FailedAssertion& assertion : signature.assertions) {
+            checks.insert(assertion.check);
+            assertions.insert(assertion.check + "\t" + assertion.expression);
+            values.insert(assertion.check + "\t" + assertion.expression + "\t" + assertion.values);
         }
     }
 };
 
-void read_event(const std::vector<std::string>& parts, std::vector<CheckResult>& results) {
+void read_event(const Words& parts, std::vector<CheckResult>& results) {
     const auto part = [&](std::size_t i) { return i < parts.size() ? parts[i] : std::string(); };
     if (parts[0] == "case") results.push_back({part(1), CheckState::unfinished, 0, {}});
     if (results.empty()) return;
@@ -90,13 +79,9 @@ std::size_t end_of_number(std::string_view text, std::size_t begin) {
 
 } // namespace
 
-std::vector<CheckResult> parse_results(std::string_view lines) {
+std::vector<CheckResult> parse_results(const std::string& lines) {
     std::vector<CheckResult> results;
-    while (!lines.empty()) {
-        const std::size_t end = std::min(lines.find('\n'), lines.size());
-        read_event(split(lines.substr(0, end), '\t'), results);
-        lines.remove_prefix(std::min(end + 1, lines.size()));
-    }
+    for (const std::string& line : lines_of(lines)) read_event(fields_of(line), results);
     return results;
 }
 
@@ -124,11 +109,11 @@ std::string rounded(std::string_view values) {
 Signature signature_of(const std::string& id, const std::vector<CheckResult>& results) {
     Signature signature{id, {}};
     const auto add = [&](const std::string& check, const std::string& expression, const std::string& values) {
-        const auto same = std::ranges::find_if(signature.symptoms, [&](const Symptom& symptom) {
-            return symptom.check == check && symptom.expression == expression;
+        const auto same = std::ranges::find_if(signature.assertions, [&](const FailedAssertion& assertion) {
+            return assertion.check == check && assertion.expression == expression;
         });
-        if (same == signature.symptoms.end())
-            signature.symptoms.push_back({check, expression, rounded(values), 1});
+        if (same == signature.assertions.end())
+            signature.assertions.push_back({check, expression, rounded(values), 1});
         else
             ++same->times;
     };
@@ -148,11 +133,11 @@ std::string signatures_text(const std::string& step, const std::vector<Signature
     for (const Signature& signature : signatures) {
         out += signature.id + "\n";
         std::string check;
-        for (const Symptom& symptom : signature.symptoms) {
-            if (symptom.check != check) out += "  " + symptom.check + "\n";
-            check = symptom.check;
-            out += "    " + std::to_string(symptom.times) + "\t" + symptom.expression + "\t" +
-                   symptom.values + "\n";
+        for (const FailedAssertion& assertion : signature.assertions) {
+            if (assertion.check != check) out += "  " + assertion.check + "\n";
+            check = assertion.check;
+            out += "    " + std::to_string(assertion.times) + "\t" + assertion.expression + "\t" +
+                   assertion.values + "\n";
         }
     }
     return out;
@@ -170,14 +155,14 @@ std::vector<Signature> parse_signatures(const std::string& text, const std::stri
             continue;
         }
         const bool names_check = !line.starts_with("    ");
-        const auto parts = split(line.substr(std::min<std::size_t>(line.size(), 4)), '\t');
+        const auto parts = fields_of(std::string_view(line).substr(std::min<std::size_t>(line.size(), 4)));
         if (signatures.empty() || !line.starts_with("  ") || (!names_check && parts.size() != 3))
             throw Error(path + ":" + std::to_string(number) +
                         ": not a line that prove writes; run ./learn prove --write again");
         if (names_check) {
             check = line.substr(2);
         } else {
-            signatures.back().symptoms.push_back({check, parts[1], parts[2], std::atoi(parts[0].c_str())});
+            signatures.back().assertions.push_back({check, parts[1], parts[2], std::atoi(parts[0].c_str())});
         }
     }
     return signatures;
@@ -190,9 +175,9 @@ std::vector<Signature> read_signatures(const std::filesystem::path& root, const 
     return parse_signatures(read_file(path.string()), "exercises/" + step + "/signatures.txt");
 }
 
-std::vector<Match> ranked(const std::vector<Signature>& known, const Signature& seen) {
+std::vector<SignatureMatch> ranked(const std::vector<Signature>& known, const Signature& seen) {
     const Sets here(seen);
-    std::vector<Match> matches;
+    std::vector<SignatureMatch> matches;
     for (const Signature& signature : known) {
         const Sets there(signature);
         const double score = 0.3 * overlap_of(here.checks, there.checks) +
@@ -200,7 +185,7 @@ std::vector<Match> ranked(const std::vector<Signature>& known, const Signature& 
                              0.4 * overlap_of(here.values, there.values);
         matches.push_back({signature.id, score});
     }
-    std::ranges::stable_sort(matches, std::greater(), &Match::score);
+    std::ranges::stable_sort(matches, std::greater(), &SignatureMatch::score);
     return matches;
 }
 
@@ -213,11 +198,11 @@ Diagnosis diagnose(const std::vector<Signature>& known, const std::vector<std::v
         if (diagnosis.first.name.empty()) diagnosis.first = *failed;
         const auto endless = std::ranges::find(results, CheckState::endless, &CheckResult::state);
         if (endless != results.end() && !diagnosis.endless) diagnosis.endless = *endless;
-        const std::vector<Match> matches = ranked(known, signature_of("", results));
+        const std::vector<SignatureMatch> matches = ranked(known, signature_of("", results));
         if (matches.empty() || matches[0].score <= best + 1e-9) continue;
         best = matches[0].score;
         diagnosis.ids.clear();
-        for (const Match& match : matches)
+        for (const SignatureMatch& match : matches)
             if (match.score > best - 1e-9) diagnosis.ids.push_back(match.id);
     }
     diagnosis.confidence = best > 0.95   ? Confidence::certain
@@ -229,7 +214,7 @@ Diagnosis diagnose(const std::vector<Signature>& known, const std::vector<std::v
     return diagnosis;
 }
 
-std::string words(Confidence confidence) {
+std::string name_of(Confidence confidence) {
     switch (confidence) {
     case Confidence::certain: return "certainly";
     case Confidence::likely: return "most likely";
@@ -258,7 +243,7 @@ std::string explanation(const Diagnosis& diagnosis, const std::vector<Mistake>& 
     for (const std::string& id : diagnosis.ids) {
         const auto mistake = std::ranges::find(catalogue, id, &Mistake::id);
         if (mistake == catalogue.end()) continue;
-        out += "The mistake, " + words(diagnosis.confidence) + ": " + mistake->title +
+        out += "The mistake, " + name_of(diagnosis.confidence) + ": " + mistake->title +
                ".\n  Why: " + mistake->why + "\n  Fix: " + mistake->fix + "\n";
     }
     if (!out.empty()) return out;
@@ -272,4 +257,4 @@ std::string explanation(const Diagnosis& diagnosis, const std::vector<Mistake>& 
     return out;
 }
 
-} // namespace rt
+} // namespace rt::tutor

@@ -9,19 +9,13 @@
 #include <optional>
 #include <set>
 
-namespace rt {
+namespace rt::tutor {
 
 namespace fs = std::filesystem;
 
 namespace {
 
 const std::string todo = "// TODO: ";
-
-std::string trimmed(const std::string& text) {
-    const auto first = text.find_first_not_of(" \t\r");
-    if (first == std::string::npos) return "";
-    return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
 
 /// What follows `mark` where a line begins with it.
 std::optional<std::string> after(const std::string& line, const std::string& mark) {
@@ -58,7 +52,7 @@ std::optional<std::string> function_name(const std::string& line) {
 }
 
 /// Notes the function whose body line number `line` stands in.
-void find_function(Exercise& exercise, const std::vector<std::string>& lines, const std::string& path) {
+void find_function(Exercise& exercise, const Words& lines, const std::string& path) {
     for (int line = exercise.line; line > 0; --line) {
         const std::string& text = lines[std::size_t(line) - 1];
         if (text.starts_with("}")) break;
@@ -72,7 +66,7 @@ void find_function(Exercise& exercise, const std::vector<std::string>& lines, co
 }
 
 /// The text from the beginning of a function to its end, without blanks and comments. `line` from 1.
-std::string bare_function(const std::vector<std::string>& lines, std::size_t line) {
+std::string bare_function(const Words& lines, std::size_t line) {
     std::string bare;
     for (; line <= lines.size(); ++line) {
         const std::string& text = lines[line - 1];
@@ -84,8 +78,8 @@ std::string bare_function(const std::vector<std::string>& lines, std::size_t lin
 }
 
 /// The headers of steps that a file names: #include "01_spheres/ray.h".
-std::vector<std::string> named_headers(const std::string& text) {
-    std::vector<std::string> headers;
+Words named_headers(const std::string& text) {
+    Words headers;
     for (const std::string& line : lines_of(text)) {
         const auto rest = after(line, "#include");
         if (!rest || rest->size() < 4 || (*rest)[0] != '"' || (*rest)[1] < '0' || (*rest)[1] > '9') continue;
@@ -95,7 +89,7 @@ std::vector<std::string> named_headers(const std::string& text) {
 }
 
 void visit(const std::vector<fs::path>& folders, const std::string& header, std::set<std::string>& met,
-           std::vector<std::string>& order) {
+           Words& order) {
     if (!met.insert(header).second) return;
     std::error_code ignored;
     for (const fs::path& folder : folders) {
@@ -108,12 +102,12 @@ void visit(const std::vector<fs::path>& folders, const std::string& header, std:
 }
 
 /// The headers of a step, each after those that it includes.
-std::vector<std::string> headers_in_order(const fs::path& steps, const std::string& step) {
-    std::vector<std::string> headers, order;
+Words headers_in_order(const fs::path& steps, const std::string& step) {
+    Words headers, order;
     for (const fs::path& entry : entries_of(steps / step))
         if (entry.extension() == ".h") headers.push_back(entry.filename().string());
     std::set<std::string> met;
-    std::vector<std::string> all;
+    Words all;
     for (const std::string& header : headers) visit({steps}, step + "/" + header, met, all);
     for (const std::string& header : all)
         if (header.starts_with(step + "/")) order.push_back(header.substr(step.size() + 1));
@@ -136,16 +130,6 @@ void name_exercises(std::vector<Exercise>& exercises) {
 
 } // namespace
 
-std::vector<std::string> lines_of(const std::string& text) {
-    std::vector<std::string> lines;
-    for (std::size_t begin = 0; begin < text.size();) {
-        const std::size_t end = std::min(text.find('\n', begin), text.size());
-        lines.push_back(text.substr(begin, end - begin));
-        begin = end + 1;
-    }
-    return lines;
-}
-
 std::vector<fs::path> entries_of(const fs::path& folder) {
     std::vector<fs::path> entries;
     std::error_code failure;
@@ -156,7 +140,7 @@ std::vector<fs::path> entries_of(const fs::path& folder) {
 }
 
 std::vector<Exercise> find_exercises(const std::string& text, const std::string& path) {
-    const std::vector<std::string> lines = lines_of(text);
+    const Words lines = lines_of(text);
     std::vector<Exercise> found;
     bool open = false;
     for (int number = 1; number <= int(lines.size()); ++number) {
@@ -194,8 +178,8 @@ std::vector<Exercise> find_step_exercises(const fs::path& steps, const std::stri
     return all;
 }
 
-std::string cut(const std::string& text, const std::vector<Exercise>& exercises) {
-    const std::vector<std::string> lines = lines_of(text);
+std::string make_stub(const std::string& text, const std::vector<Exercise>& exercises) {
+    const Words lines = lines_of(text);
     std::string stub;
     for (int number = 1; number <= int(lines.size()); ++number) {
         const std::string& line = lines[std::size_t(number) - 1];
@@ -219,7 +203,7 @@ std::string without_markers(const std::string& text) {
 }
 
 int place_of(const Exercise& exercise, const std::string& text) {
-    const std::vector<std::string> lines = lines_of(text);
+    const Words lines = lines_of(text);
     int function = 0, number = 0;
     for (const std::string& line : lines) {
         ++number;
@@ -230,7 +214,7 @@ int place_of(const Exercise& exercise, const std::string& text) {
 }
 
 bool is_untouched(const Exercise& exercise, const std::string& text, const std::string& stub) {
-    const std::vector<std::string> lines = lines_of(text), stub_lines = lines_of(stub);
+    const Words lines = lines_of(text), stub_lines = lines_of(stub);
     std::set<std::string> functions;
     for (std::size_t line = 1; line <= lines.size(); ++line)
         if (function_name(lines[line - 1]) == exercise.function) functions.insert(bare_function(lines, line));
@@ -242,7 +226,7 @@ bool is_untouched(const Exercise& exercise, const std::string& text, const std::
 }
 
 bool may_not_end(const Exercise& exercise, const std::string& text) {
-    const std::vector<std::string> lines = lines_of(text);
+    const Words lines = lines_of(text);
     for (std::size_t line = 1; line <= lines.size(); ++line) {
         if (function_name(lines[line - 1]) != exercise.function) continue;
         const std::string bare = bare_function(lines, line), call = exercise.function + "(";
@@ -253,11 +237,11 @@ bool may_not_end(const Exercise& exercise, const std::string& text) {
     return false;
 }
 
-std::vector<std::string> included_headers(const std::vector<fs::path>& folders, const std::string& header) {
+Words included_headers(const std::vector<fs::path>& folders, const std::string& header) {
     std::set<std::string> met;
-    std::vector<std::string> order;
+    Words order;
     visit(folders, header, met, order);
     return order;
 }
 
-} // namespace rt
+} // namespace rt::tutor

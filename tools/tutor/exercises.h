@@ -2,11 +2,13 @@
 // them.
 #pragma once
 
+#include "tools/tutor/util.h"
+
 #include <filesystem>
 #include <string>
 #include <vector>
 
-namespace rt {
+namespace rt::tutor {
 
 /// One region. `//> task` opens it, `//< placeholder` closes it.
 struct Exercise {
@@ -18,12 +20,9 @@ struct Exercise {
     int last_line = 0;     ///< of //<
     int function_line = 0; ///< where the function begins, below a template's <...>
     std::string task;
-    std::string placeholder;            ///< what stands in a stub; may be nothing
-    std::vector<std::string> reference; ///< the lines between the two, as they stand
+    std::string placeholder; ///< what stands in a stub; may be nothing
+    Words reference;         ///< the lines between the two, as they stand
 };
-
-/// A text's lines without their ends.
-std::vector<std::string> lines_of(const std::string& text);
 
 /// What stands in a folder, sorted; nothing if it cannot be read, or only what could be.
 std::vector<std::filesystem::path> entries_of(const std::filesystem::path& folder);
@@ -39,7 +38,7 @@ std::vector<Exercise> find_step_exercises(const std::filesystem::path& steps, co
 
 /// The file with the regions of these exercises cut: the task as a TODO, and the placeholder. Regions of
 /// others stay as they are.
-std::string cut(const std::string& text, const std::vector<Exercise>& exercises);
+std::string make_stub(const std::string& text, const std::vector<Exercise>& exercises);
 
 /// The file as one reads it: without the lines of the markers.
 std::string without_markers(const std::string& text);
@@ -55,7 +54,6 @@ bool may_not_end(const Exercise& exercise, const std::string& text);
 
 /// A header ("03_mirror/mirror.h") and all headers of the steps that it includes, those before it that it
 /// needs. A header in the first of `folders` that has it takes the others' place.
-std::vector<std::string> included_headers(const std::vector<std::filesystem::path>& folders,
-                                          const std::string& header);
+Words included_headers(const std::vector<std::filesystem::path>& folders, const std::string& header);
 
-} // namespace rt
+} // namespace rt::tutor

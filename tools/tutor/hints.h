@@ -1,5 +1,5 @@
-// The hints of a step, read from exercises/NN_name/hints.md: three tiers an exercise, what to look at, which formula, which
-// line.
+// The hints of a step, read from exercises/NN_name/hints.md: three tiers an exercise, what to look at, which
+// formula, which line.
 #pragma once
 
 #include "tools/tutor/exercises.h"
@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-namespace rt {
+namespace rt::tutor {
 
 /// By the exercise's name: its tiers, each a line of text without line ends.
-using Hints = std::map<std::string, std::vector<std::string>>;
+using Hints = std::map<std::string, Words>;
 
 inline constexpr std::size_t tiers = 3;
 
@@ -20,8 +20,9 @@ inline constexpr std::size_t tiers = 3;
 /// file and line for anything else.
 Hints parse_hints(const std::string& text, const std::string& path);
 
-/// Those in ROOT/exercises/STEP/hints.md. Throws Error if an exercise lacks its three, or if hints are left over.
+/// Those in ROOT/exercises/STEP/hints.md. Throws Error if an exercise lacks its three, or if hints are left
+/// over.
 Hints read_hints(const std::filesystem::path& root, const std::string& step,
                  const std::vector<Exercise>& exercises);
 
-} // namespace rt
+} // namespace rt::tutor

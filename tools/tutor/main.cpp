@@ -1,60 +1,54 @@
-// The program behind ./learn start, status, hint, diff and undo. Exit code: 0 all is said and done, 2 wrong words or a
-// file that cannot be read or written.
-#include "tools/tutor/check.h"
+// The program behind every ./learn command. Exit code: 0 all is well, 1 a check or a picture is wrong, 2 the
+// command is wrong or a file cannot be read or written.
+#include "tools/tutor/build.h"
 #include "tools/tutor/commands.h"
-#include "tools/tutor/watch.h"
+#include "tools/tutor/system.h"
+#include "tools/tutor/util.h"
 
 #include "common/util/report_error.h"
+#include "common/util/error.h"
 #include "common/util/version.h"
 
 #include <CLI/CLI.hpp>
 
-#include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <functional>
 #include <iostream>
 #include <string>
 
-#if defined(_WIN32)
-#include <io.h>
-#else
-#include <unistd.h>
-#endif
+namespace rt::tutor {
 
 namespace {
 
 /// What was typed; each command reads its part.
-struct Words {
-    std::string root = ".", workshop;
-    std::string step, name;
-    std::string build;
+struct Arguments {
+    std::string root = ".", workshop, build, step, name, junit;
+    Words steps;
     bool again = false, all = false, reset = false, no_picture = false;
-    int code = 0; ///< what the command answers
+    Pixel pixel;
+    BenchOptions bench;
+    FuzzOptions fuzz;
+    int minutes = 0;
+    int code = 0; ///< the exit code of the command
+
+    Project project() const {
+        const std::filesystem::path folder(root);
+        return {folder, workshop.empty() ? folder / "workshop" : std::filesystem::path(workshop)};
+    }
+    std::string full_step() const { return find_step(project(), step); }
+    HintMode hint_mode() const {
+        if (reset) return HintMode::reset;
+        if (all) return HintMode::all;
+        return again ? HintMode::again : HintMode::next;
+    }
 };
 
-rt::Project project_of(const Words& words) {
-    const std::filesystem::path root(words.root);
-    return {root, words.workshop.empty() ? root / "workshop" : std::filesystem::path(words.workshop)};
-}
-
-rt::HintWish wish_of(const Words& words) {
-    if (words.reset) return rt::HintWish::reset;
-    if (words.all) return rt::HintWish::all;
-    return words.again ? rt::HintWish::again : rt::HintWish::next;
-}
-
-/// A person looks on, whose terminal shows colours and who has not asked for none (no-color.org).
+/// Whether a person looks on, whose terminal shows colours and who has not refused them (no-color.org).
 bool colour_is_welcome() {
     const char* const refused = std::getenv("NO_COLOR");
     const char* const terminal = std::getenv("TERM");
-    if (refused && *refused) return false;
-    if (terminal && std::string(terminal) == "dumb") return false;
-#if defined(_WIN32)
-    return _isatty(1);
-#else
-    return isatty(1) == 1;
-#endif
+    return !(refused && *refused) && !(terminal && std::string(terminal) == "dumb") && is_terminal(1);
 }
 
 CLI::App* add_command(CLI::App& app, const std::string& name, const std::string& help,
@@ -64,110 +58,244 @@ CLI::App* add_command(CLI::App& app, const std::string& name, const std::string&
     return command;
 }
 
-CLI::App* with_step(CLI::App* command, Words& words) {
-    command->add_option("STEP", words.step, "3, 03 and 03_mirror all name a step")->required();
+CLI::Option* add_step(CLI::App* command, Arguments& given) {
+    return command->add_option("STEP", given.step, "3, 03 and 03_mirror all name a step");
+}
+
+void add_check(CLI::App& app, Arguments& given, const std::string& name, const std::string& help,
+               int (*check)(const Project&, const CheckOptions&, std::ostream&)) {
+    CLI::App* const command = add_command(app, name, help, [&given, check] {
+        const Project project = given.project();
+        const std::filesystem::path build =
+            given.build.empty() ? project.root / "build/release" : std::filesystem::path(given.build);
+        given.code = check(project, {given.full_step(), build, !given.no_picture}, std::cout);
+    });
+    add_step(command, given)->required();
+    command->add_flag("--no-picture", given.no_picture, "the checks alone");
+    command->add_option("--build", given.build, "the folder of the build, if not ROOT/build/release");
+}
+
+void add_hint(CLI::App& app, Arguments& given) {
+    CLI::App* const hint = add_command(
+        app, "hint", "Gives the next of three hints: what to look at, which formula, which line.", [&given] {
+            show_hints(given.project(), given.full_step(), given.name, given.hint_mode(), std::cout);
+        });
+    add_step(hint, given)->required();
+    hint->add_option("FUNCTION", given.name,
+                     "as in reflected_ray; without it, a list of the step's functions");
+    CLI::Option* const again = hint->add_flag("--again", given.again, "the last hint once more");
+    CLI::Option* const all = hint->add_flag("--all", given.all, "all three")->excludes(again);
+    hint->add_flag("--reset", given.reset, "forget which were shown")->excludes(again)->excludes(all);
+}
+
+void add_workshop_commands(CLI::App& app, Arguments& given) {
+    add_step(
+        add_command(app, "start",
+                    "Cuts the files of a step into workshop/, with gaps where you write; never overwrites.",
+                    [&given] { start_step(given.project(), given.full_step(), std::cout); }),
+        given)
+        ->required();
+    add_check(
+        app, given, "check",
+        "Runs the step's checks on your files and those of the steps before, renders, compares, and says "
+        "what is likely wrong and what to do next. Exit code 0 only when all hold.",
+        check_step);
+    add_check(app, given, "watch", "Checks again at each save; q ends.", watch_step);
+    add_command(app, "status", "Shows the steps, what is done, and what is next.",
+                [&given] { show_status(given.project(), std::cout); });
+    add_hint(app, given);
+    CLI::App* const diff = add_command(
+        app, "diff", "Shows the reference (-) against your file (+): it gives the answer away.", [&given] {
+            show_diff(given.project(), given.full_step(), given.name, colour_is_welcome(), std::cout);
+        });
+    CLI::App* const undo = add_command(
+        app, "undo", "Moves your file into workshop/.backup/, so that the reference counts again.",
+        [&given] { undo_files(given.project(), given.full_step(), given.name, std::cout); });
+    for (CLI::App* const command : {diff, undo}) {
+        add_step(command, given)->required();
+        command->add_option("FILE", given.name, "as in mirror.h; without it, all your files of the step");
+    }
+}
+
+/// A command whose arguments, but for a first STEP, are those of another program, --help included.
+CLI::App* add_wrapper(CLI::App& app, const std::string& name, const std::string& help,
+                      const std::function<void(const Words&)>& action) {
+    CLI::App* const command = app.add_subcommand(name, help);
+    command->set_help_flag();
+    command->prefix_command();
+    command->callback([command, action] { action(command->remaining()); });
     return command;
 }
 
-void add_start(CLI::App& app, Words& words) {
-    CLI::App* const start = add_command(
-        app, "start", "Cuts the files of a step into workshop/, with gaps where you write; never overwrites.",
-        [&words] {
-            const rt::Project project = project_of(words);
-            start_step(project, find_step(project, words.step), std::cout);
+void add_run(CLI::App& app, Arguments& given) {
+    CLI::App* run = nullptr;
+    run = add_wrapper(
+        app, "run",
+        "Renders a step, or all of them, into renders/, and compares with the references. Flags after "
+        "the step go to its program: ./learn run 03 --help lists them.",
+        [&given, &app](const Words& flags) {
+            if (given.step.empty() && !flags.empty()) {
+                if (flags[0] == "-h" || flags[0] == "--help") {
+                    std::cout << app.get_subcommand("run")->help();
+                    return;
+                }
+                throw Error("which step? for example: ./learn run 03 " + joined(flags, " "));
+            }
+            given.code = run_steps(given.project(), given.step.empty() ? "" : given.full_step(), flags);
         });
-    with_step(start, words);
+    add_step(run, given);
 }
 
-void add_check(CLI::App& app, Words& words, const std::string& name, const std::string& help,
-               int (*check)(const rt::Project&, const rt::CheckWish&, std::ostream&)) {
-    CLI::App* const command = add_command(app, name, help, [&words, check] {
-        const rt::Project project = project_of(words);
-        const std::filesystem::path build =
-            words.build.empty() ? project.root / "build" / "release" : std::filesystem::path(words.build);
-        words.code = check(project, {find_step(project, words.step), build, !words.no_picture}, std::cout);
+void add_trace(CLI::App& app, Arguments& given) {
+    CLI::App* trace = nullptr;
+    trace = add_command(
+        app, "trace",
+        "Prints the rays of one pixel: what each meets and what it brings back. Further flags go to the "
+        "step's program.",
+        [&given, &app] {
+            trace_pixel(given.project(), given.full_step(), given.pixel,
+                        app.get_subcommand("trace")->remaining());
+        });
+    add_step(trace, given)->required();
+    constexpr int most = 1 << 24;
+    trace->add_option("COLUMN", given.pixel.x, "from 0 at the left")->required()->check(CLI::Range(0, most));
+    trace->add_option("ROW", given.pixel.y, "from 0 at the top")->required()->check(CLI::Range(0, most));
+    trace->add_option("--sample", given.pixel.sample, "which sample of the pixel, from 1")
+        ->check(CLI::Range(1, most));
+    trace->allow_extras();
+}
+
+void add_test(CLI::App& app, Arguments& given) {
+    CLI::App* const test =
+        add_command(app, "test", "Builds and runs every check, or those of a step or of a group.",
+                    [&given] { given.code = run_tests(given.project(), given.name, given.junit); });
+    test->add_option(
+        "WHICH", given.name,
+        "a step; or common, compare, guards, bench, tutor, docs, fuzz, statistics, faults or reference");
+    test->add_option("--junit", given.junit, "a file for the results as JUnit XML");
+}
+
+void add_bench(CLI::App& app, Arguments& given) {
+    CLI::App* const bench =
+        app.add_subcommand("bench", "Measures how fast everything is, and writes a report with plots.");
+    bench->add_option(
+        "NAME", given.bench.name,
+        "traversal, scaling, renders, convergence, obj or kernels; loop measures how long a learner waits "
+        "for a check; further flags go to the benchmark's program, --help among them");
+    bench->add_flag("--quick", given.bench.quick, "only shows that it runs");
+    bench->add_option("--json", given.bench.json, "a file for the numbers");
+    bench->add_option("--out", given.bench.out, "a folder for the report");
+    bench->set_help_flag();
+    bench->allow_extras();
+    bench->callback([&given, bench] {
+        given.bench.flags = bench->remaining();
+        const bool help = contains(given.bench.flags, "--help") || contains(given.bench.flags, "-h");
+        if (help && given.bench.name.empty())
+            std::cout << bench->help();
+        else
+            run_benchmarks(given.project(), given.bench);
     });
-    with_step(command, words);
-    command->add_flag("--no-picture", words.no_picture, "the checks alone");
-    command->add_option("--build", words.build, "the folder of the build, if not ROOT/build/release");
 }
 
-void add_status(CLI::App& app, Words& words) {
-    add_command(app, "status", "Shows the steps, what is done, and what is next.",
-                [&words] { show_status(project_of(words), std::cout); });
-}
-
-void add_hint(CLI::App& app, Words& words) {
-    CLI::App* const hint = add_command(
-        app, "hint", "Gives the next of three hints: what to look at, which formula, which line.", [&words] {
-            const rt::Project project = project_of(words);
-            show_hints(project, find_step(project, words.step), words.name, wish_of(words), std::cout);
+void add_fuzz(CLI::App& app, Arguments& given) {
+    CLI::App* const command = add_command(
+        app, "fuzz",
+        "Feeds the parsers with inputs that clang's libFuzzer makes up, under AddressSanitizer and "
+        "UndefinedBehaviorSanitizer: first the findings of the past and the seeds (tests/fuzz), then new "
+        "inputs, a "
+        "minute per target, two targets at a time. A target ends at its first finding, which stays in "
+        "build/fuzz/found/TARGET. Exit code: 0 nothing was found, 1 something was, 2 the command is wrong.",
+        [&given] {
+            if (given.minutes > 0) given.fuzz.seconds = 60 * given.minutes;
+            const Words targets = fuzz_targets(given.project());
+            if (!given.fuzz.target.empty() && !contains(targets, given.fuzz.target))
+                throw Error("there is no target '" + given.fuzz.target + "'; the targets are " +
+                            joined(targets, " "));
+            given.code = fuzz(given.project(), given.fuzz);
         });
-    with_step(hint, words);
-    hint->add_option("FUNCTION", words.name,
-                     "as in reflected_ray; without it, a list of the step's functions");
-    CLI::Option* const again = hint->add_flag("--again", words.again, "the last hint once more");
-    CLI::Option* const all = hint->add_flag("--all", words.all, "all three")->excludes(again);
-    hint->add_flag("--reset", words.reset, "forget which were shown")->excludes(again)->excludes(all);
+    command->add_option("TARGET", given.fuzz.target, "without it, all targets");
+    command->footer([&given] { return "Targets: " + joined(fuzz_targets(given.project()), " "); });
+    const CLI::Range from_one(1, 99999);
+    command->add_option("--seconds", given.fuzz.seconds, "how long each target is searched")->check(from_one);
+    command->add_option("--minutes", given.minutes, "the same in minutes")->check(from_one);
+    command->add_option("--seed", given.fuzz.seed, "of libFuzzer's random numbers")->check(from_one);
 }
 
-void add_diff(CLI::App& app, Words& words) {
-    CLI::App* const diff = add_command(
-        app, "diff", "Shows the reference (-) against your file (+): it gives the answer away.", [&words] {
-            const rt::Project project = project_of(words);
-            show_diff(project, find_step(project, words.step), words.name, colour_is_welcome(), std::cout);
+void add_maintenance(CLI::App& app, Arguments& given) {
+    const auto tool = [&](const std::string& name, const std::string& help, const Words& first) {
+        add_wrapper(app, name, help, [&given, name, first](const Words& words) {
+            Words all = first.empty() ? Words{} : Words{"--root", given.root};
+            append(all, words);
+            hand_over({given.root}, name, all);
         });
-    with_step(diff, words);
-    diff->add_option("FILE", words.name, "as in mirror.h; without it, all your files of the step");
-}
-
-void add_undo(CLI::App& app, Words& words) {
-    CLI::App* const undo = add_command(
-        app, "undo", "Moves your file into workshop/.backup/, so that the reference counts again.", [&words] {
-            const rt::Project project = project_of(words);
-            undo_files(project, find_step(project, words.step), words.name, std::cout);
+    };
+    tool("compare", "Says whether two pictures are the same, and if not, what differs.", {});
+    tool("weave", "Fills the chapters' listings, diffs, galleries and outputs with what is there.",
+         {"--root"});
+    add_wrapper(app, "prove",
+                "Proves that the checks check: each gap and each known mistake fails them and is named.",
+                [&given](const Words& words) {
+                    const Preset preset{given.root};
+                    make(preset, {"prove", "test_main"});
+                    Words command{preset.program("prove").string(), "--root", given.root, "--build",
+                                  preset.folder().string()};
+                    wait_for_program(command[0]);
+                    append(command, words);
+                    replace_process(command);
+                });
+    CLI::App* const figures = add_command(
+        app, "figures", "Makes the pictures and plots of the chapters, and prints their settings.", [&given] {
+            Words steps;
+            for (const std::string& step : given.steps) steps.push_back(find_step(given.project(), step));
+            make_figures(given.project(), steps);
         });
-    with_step(undo, words);
-    undo->add_option("FILE", words.name, "as in mirror.h; without it, all your files of the step");
+    figures->add_option("STEPS", given.steps, "of these chapters alone");
+    add_step(add_command(
+                 app, "references",
+                 "Renders the references into assets/reference/, and docs/contact_sheet.png (for those who "
+                 "change a step).",
+                 [&given] { make_references(given.project(), given.step.empty() ? "" : given.full_step()); }),
+             given);
 }
 
-/// What would kill the program where a write fails becomes an error of that write.
-void make_writes_safe() {
-#if defined(SIGXFSZ) && defined(SIGPIPE)
-    std::signal(SIGXFSZ, SIG_IGN);
-    std::signal(SIGPIPE, SIG_IGN);
-#endif
+int run(int argc, char** argv) {
+    Arguments given;
+    CLI::App app("Goes through the steps with you. ./learn --help lists the commands.", "./learn");
+    app.require_subcommand(1);
+    app.set_version_flag("--version", version());
+    app.add_option("--root", given.root, "the project's folder");
+    app.add_option("--workshop", given.workshop, "where your files are, if not in ROOT/workshop");
+    add_workshop_commands(app, given);
+    add_run(app, given);
+    add_trace(app, given);
+    add_test(app, given);
+    add_bench(app, given);
+    add_fuzz(app, given);
+    add_maintenance(app, given);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& help) {
+        return app.exit(help);
+    }
+    if (!std::cout.flush())
+        return report_error("learn", "stdout takes no more text (is the disk full?); all else went well");
+    return given.code;
 }
 
 } // namespace
 
+} // namespace rt::tutor
+
 int main(int argc, char** argv) {
-    make_writes_safe();
-    Words words;
-    CLI::App app("Goes through the steps with you.", "./learn");
-    app.require_subcommand(1);
-    app.set_version_flag("--version", rt::version());
-    app.add_option("--root", words.root, "the project's folder");
-    app.add_option("--workshop", words.workshop, "where your files are, if not in ROOT/workshop");
-    add_start(app, words);
-    add_check(
-        app, words, "check",
-        "Runs the step's checks on your files and those of the steps before, renders, compares, and says "
-        "what is likely wrong and what to do next. Exit code 0 only when all hold.",
-        rt::check_step);
-    add_check(app, words, "watch", "Checks again at each save; q ends.", rt::watch_step);
-    add_status(app, words);
-    add_hint(app, words);
-    add_diff(app, words);
-    add_undo(app, words);
+    rt::tutor::handle_signals();
     try {
-        app.parse(argc, argv);
-        return std::cout.flush()
-                   ? words.code
-                   : rt::report_error("learn",
-                                      "stdout takes no more text (is the disk full?); all else went well");
-    } catch (const CLI::Success& help) {
-        return app.exit(help);
+        return rt::tutor::run(argc, argv);
+    } catch (const rt::tutor::Stop& stop) {
+        if (stop.code > 128) rt::print_error_line("stopped");
+        return stop.code;
+    } catch (const rt::tutor::CommandFailed& failure) {
+        rt::report_error("learn", failure.what());
+        return 1;
     } catch (const std::exception& problem) {
         return rt::report_error("learn", problem.what());
     }

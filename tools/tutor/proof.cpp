@@ -3,93 +3,85 @@
 
 #include "common/util/error.h"
 #include "common/util/file_bytes.h"
-#include "tools/tutor/build_lock.h"
-#include "tools/tutor/check_files.h"
-#include "tools/tutor/compile.h"
+#include "tools/tutor/workshop.h"
+#include "tools/tutor/build.h"
 #include "tools/tutor/exercises.h"
-#include "tools/tutor/gallery.h"
-#include "tools/tutor/hash.h"
-#include "tools/tutor/process.h"
+#include "tools/tutor/catalogue.h"
 #include "tools/tutor/record.h"
-#include "tools/tutor/temporary.h"
+#include "tools/tutor/util.h"
+#include "tools/tutor/system.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <iterator>
 #include <set>
 
-namespace rt {
+namespace rt::tutor {
 
 namespace fs = std::filesystem;
 
 namespace {
 
-/// What takes least time in all, measured: the checks of the early steps are quick even if they are compiled quickly.
+/// What takes least time in all, measured: the checks of the early steps are quick even if they are not
+/// optimised.
 std::string optimisation(const std::string& step) {
     return step < "05" || step.starts_with("06") ? "-O0" : "-O1";
 }
 
 const std::string part_level = "-O1"; // of programs for pictures, too
 
-constexpr RunLimits check_limits{.cpu_seconds = 30, .seconds = 300, .memory = std::uint64_t(4) << 30};
-
-/// The name in #include "name", or nothing.
-std::string included(const std::string& line) {
-    const std::string begin = "#include \"";
-    if (!line.starts_with(begin)) return "";
-    return line.substr(begin.size(), line.find('"', begin.size()) - begin.size());
+/// For a program of checks, or one that renders.
+ProcessOptions limited(const fs::path& log) {
+    return {.log = log, .cpu_seconds = 30, .seconds = 300, .memory = std::uint64_t(4) << 30};
 }
 
 /// The text that an include finds: the change's, the reference's, or the project's.
 std::string text_of(const Toolchain& tools, const Change& change, const std::string& name) {
     if (const auto found = change.headers.find(name); found != change.headers.end()) return found->second;
-    std::error_code ignored; // a name that is too long is none that is there
+    std::error_code ignored; // a name that is too long is none that exists
     for (const fs::path& folder : {tools.root / "steps", tools.root})
         if (fs::exists(folder / name, ignored)) return read_file((folder / name).string());
     return "";
 }
 
-/// "05_mesh_bvh/shapes.cpp" for shapes.h, if a part of the step stands there that is compiled by itself; or nothing.
-std::string part_beside(const Toolchain& tools, const std::string& header) {
-    const std::string part = fs::path(header).replace_extension(".cpp").string();
-    std::error_code ignored;
-    return header.ends_with(".h") && fs::exists(tools.root / "steps" / part, ignored) ? part : "";
-}
-
-/// `seen` grows by the name and whatever belongs to it.
-void add_with_includes(const Toolchain& tools, const Change& change, const std::string& name,
-                       std::set<std::string>& seen, Hash& hash) {
-    if (name.empty() || !seen.insert(name).second) return;
-    const std::string text = text_of(tools, change, name);
-    hash.add(name);
-    hash.add(code_only(text));
-    for (const std::string& line : lines_of(text))
-        if (const std::string other = included(line); !other.empty())
-            add_with_includes(tools, change, other, seen, hash);
-    add_with_includes(tools, change, part_beside(tools, name), seen, hash);
-}
-
-/// A source of checks or of a program: a hash of all that it depends on, and the parts to link it with.
-struct Source {
-    std::string key;
-    std::vector<std::string> parts; ///< "05_mesh_bvh/shapes.cpp"
+/// What a source of checks or of a program depends on.
+struct Dependencies {
+    std::set<std::string> names;
+    Hash hash;
 };
 
-Source look_at(const Toolchain& tools, const Change& change, const std::string& source) {
-    Hash hash;
-    std::set<std::string> seen;
-    hash.add(tools.fixed);
-    hash.add(optimisation(fs::path(source).parent_path().filename().string()));
-    add_with_includes(tools, change, source, seen, hash);
-    Source looked{hash.text(), {}};
-    for (const std::string& name : seen)
-        if (name != source && name.ends_with(".cpp")) looked.parts.push_back(name);
-    return looked;
+/// Adds the file, what it includes, and the part of a step that stands beside it ("05_mesh_bvh/shapes.cpp"
+/// for shapes.h).
+void add_file(const Toolchain& tools, const Change& change, const std::string& name, Dependencies& all) {
+    if (name.empty() || !all.names.insert(name).second) return;
+    const std::string text = text_of(tools, change, name), begin = "#include \"";
+    all.hash.add(name);
+    all.hash.add(code_only(text));
+    for (const std::string& line : lines_of(text))
+        if (line.starts_with(begin))
+            add_file(tools, change, line.substr(begin.size(), line.find('"', begin.size()) - begin.size()),
+                     all);
+    const std::string part = fs::path(name).replace_extension(".cpp").string();
+    std::error_code ignored;
+    if (name.ends_with(".h") && fs::exists(tools.root / "steps" / part, ignored))
+        add_file(tools, change, part, all);
+}
+
+std::string step_of(const std::string& source) {
+    return fs::path(source).parent_path().filename().string();
+}
+
+Dependencies dependencies(const Toolchain& tools, const Change& change, const std::string& source) {
+    Dependencies all;
+    all.hash.add(tools.fixed);
+    all.hash.add(optimisation(step_of(source)));
+    add_file(tools, change, source, all);
+    return all;
 }
 
 /// "tests/03_mirror/mirror.cpp" and the others of the step; those of the changed headers come first.
-std::vector<std::string> check_sources(const Toolchain& tools, const Change& change) {
-    std::vector<std::string> sources;
+Words check_sources(const Toolchain& tools, const Change& change) {
+    Words sources;
     for (const std::string& file : check_files(tools.root, change.step))
         sources.push_back(check_source(change.step, file));
     std::stable_partition(sources.begin(), sources.end(), [&](const std::string& source) {
@@ -102,110 +94,104 @@ std::vector<std::string> check_sources(const Toolchain& tools, const Change& cha
     return sources;
 }
 
-void write_overlay(const fs::path& folder, const Change& change) {
+/// Runs the compiler with changed headers first on the include path. Returns its first error on one line, or
+/// "".
+std::string compile(const Toolchain& tools, const fs::path& overlay, const Words& arguments) {
+    Words command{tools.compiler, "-w", "-I" + overlay.string(), "-I" + (tools.root / "steps").string()};
+    append(command, tools.flags);
+    append(command, arguments);
+    const fs::path log = overlay / "compiler.log";
+    if (run_process(command, {.log = log}).code == 0) return "";
+    const auto error = first_error(read_file(log.string()), "");
+    return error ? error->file + ":" + std::to_string(error->line) + ": " + error->message
+                 : "the compiler failed and did not say why";
+}
+
+fs::path prefix_of(const Toolchain& tools, const std::string& header, const std::string& level) {
+    return tools.work / fs::path(header).parent_path() / level / "pch.h";
+}
+
+/// Compiles a source into an object, with its precompiled header.
+std::string compile_object(const Toolchain& tools, const fs::path& overlay, const fs::path& source,
+                           const fs::path& prefix, const fs::path& object) {
+    return compile(tools, overlay,
+                   {prefix.parent_path().filename().string(), "-include", prefix.string(), "-c",
+                    source.string(), "-o", object.string()});
+}
+
+/// Compiles and links a source of checks (tests/...) or a program (steps/...) with the change, as
+/// `folder`/program. Objects of parts are kept, as few changes touch them. Returns the compiler's complaint,
+/// or "".
+std::string build_program(const Toolchain& tools, const Change& change, const std::string& source,
+                          const fs::path& folder) {
     for (const auto& [name, text] : change.headers) {
         fs::create_directories((folder / name).parent_path());
         write_file((folder / name).string(), text);
     }
-}
-
-std::vector<std::string> compile_command(const Toolchain& tools, const fs::path& overlay) {
-    std::vector<std::string> command{tools.compiler, "-w", "-I" + overlay.string(),
-                                     "-I" + (tools.root / "steps").string()};
-    command.insert(command.end(), tools.flags.begin(), tools.flags.end());
-    return command;
-}
-
-/// The compiler's first error, on one line.
-std::string complaint_in(const fs::path& log) {
-    const auto error = first_error(read_file(log.string()), "");
-    if (!error) return "the compiler failed and did not say why";
-    return error->file + ":" + std::to_string(error->line) + ": " + error->message;
-}
-
-/// Compiles a part of a step; its object is kept, as few changes touch it. The compiler's complaint if that fails.
-std::string compile_part(const Toolchain& tools, const Change& change, const std::string& part,
-                         const fs::path& scratch, std::vector<std::string>& objects) {
-    const fs::path kept = tools.work / "cache" / (look_at(tools, change, part).key + ".o");
-    objects.push_back(kept.string());
-    if (fs::exists(kept)) return "";
-    const fs::path object = scratch / "part.o", log = scratch / "compiler.log";
-    auto command = compile_command(tools, scratch);
-    for (const std::string& word :
-         {part_level, std::string("-include"), (tools.work / "common" / part_level / "pch.h").string(),
-          std::string("-c"), (tools.root / "steps" / part).string(), std::string("-o"), object.string()})
-        command.push_back(word);
-    if (run_process(command, log).code != 0) return complaint_in(log);
-    fs::rename(object, kept);
-    return "";
-}
-
-/// Compiles and links one file of checks; the compiler's complaint if that fails.
-std::string build_checks(const Toolchain& tools, const Change& change, const std::string& source,
-                         const fs::path& scratch, const fs::path& program) {
-    std::vector<std::string> objects;
-    for (const std::string& part : look_at(tools, change, source).parts)
-        if (const auto complaint = compile_part(tools, change, part, scratch, objects); !complaint.empty())
+    const fs::path part_prefix = prefix_of(tools, "common/pch.h", part_level), object = folder / "main.o";
+    const bool is_check = source.starts_with("tests/");
+    Words link{object.string()};
+    for (const std::string& part : dependencies(tools, change, source).names) {
+        if (part == source || !part.ends_with(".cpp")) continue;
+        const fs::path kept = tools.work / "cache" / (dependencies(tools, change, part).hash.text() + ".o");
+        link.push_back(kept.string());
+        if (fs::exists(kept)) continue;
+        const fs::path made = folder / "part.o";
+        if (const auto complaint =
+                compile_object(tools, folder, tools.root / "steps" / part, part_prefix, made);
+            !complaint.empty())
             return complaint;
-    const std::string level = optimisation(fs::path(source).parent_path().filename().string());
-    const fs::path object = scratch / "checks.o", log = scratch / "compiler.log";
-    auto compile = compile_command(tools, scratch);
-    for (const std::string& word :
-         {level, std::string("-include"), (tools.work / "tests" / level / "pch.h").string(),
-          std::string("-c"), (tools.root / source).string(), std::string("-o"), object.string()})
-        compile.push_back(word);
-    if (run_process(compile, log).code != 0) return complaint_in(log);
-    auto link = compile_command(tools, scratch);
-    link.push_back(object.string());
-    std::ranges::copy(objects, std::back_inserter(link));
-    link.push_back(tools.test_main);
-    std::ranges::copy(tools.libraries, std::back_inserter(link));
-    for (const std::string& word : {std::string("-pthread"), std::string("-o"), program.string()})
-        link.push_back(word);
-    return run_process(link, log).code != 0 ? complaint_in(log) : "";
+        fs::rename(made, kept);
+    }
+    const fs::path prefix =
+        is_check ? prefix_of(tools, "tests/pch.h", optimisation(step_of(source))) : part_prefix;
+    if (const auto complaint = compile_object(tools, folder, tools.root / source, prefix, object);
+        !complaint.empty())
+        return complaint;
+    if (is_check) link.push_back(tools.test_main);
+    append(link, tools.libraries);
+    append(link, {"-pthread", "-o", (folder / "program").string()});
+    return compile(tools, folder, link);
 }
 
 Outcome outcome_from(const std::string& kept) {
     Outcome outcome;
-    outcome.too_long = kept.starts_with("too long");
+    outcome.timed_out = kept.starts_with("too long");
     outcome.results = parse_results(kept);
     return outcome;
 }
 
-/// One file of checks. What came is kept.
+/// Runs one file of checks. The outcome is kept.
 Outcome run_source(const Toolchain& tools, const Change& change, const std::string& source) {
-    const fs::path kept = tools.work / "cache" / (look_at(tools, change, source).key + ".lines");
+    const fs::path kept = tools.work / "cache" / (dependencies(tools, change, source).hash.text() + ".lines");
     if (fs::exists(kept)) return outcome_from(read_file(kept.string()));
     const TemporaryFolder scratch(tools.work);
-    write_overlay(scratch.path, change);
-    const fs::path program = scratch.path / "checks", log = scratch.path / "checks.log";
-    if (const std::string complaint = build_checks(tools, change, source, scratch.path, program);
-        !complaint.empty())
-        return {.compiled = false, .too_long = false, .complaint = complaint, .results = {}};
-    const Ended ended = run_process({program.string(), "--reporters=lines"}, log, check_limits);
-    const std::string lines = (ended.too_long ? "too long\n" : "ended\n") + read_file(log.string());
+    const std::string complaint = build_program(tools, change, source, scratch.path);
+    if (!complaint.empty())
+        return {.compiled = false, .timed_out = false, .complaint = complaint, .results = {}};
+    const fs::path log = scratch.path / "checks.log";
+    const bool timed_out =
+        run_process({(scratch.path / "program").string(), "--reporters=lines"}, limited(log)).timed_out;
+    const std::string lines = (timed_out ? "too long\n" : "ended\n") + read_file(log.string());
     write_file(kept.string(), lines);
     return outcome_from(lines);
 }
 
-/// What most files include, compiled once.
-void parse_ahead(const Toolchain& tools, const std::string& header, const std::string& level) {
-    const fs::path folder = tools.work / fs::path(header).parent_path() / level;
-    const fs::path prefix = folder / "pch.h", made = folder / "pch.h.gch", stamp = folder / "prefix.key";
-    Hash hash;
-    std::set<std::string> seen;
-    hash.add(tools.fixed);
-    add_with_includes(tools, {}, header, seen, hash);
-    if (fs::exists(made) && fs::exists(stamp) && read_file(stamp.string()) == hash.text()) return;
-    fs::create_directories(folder);
+/// Compiles once what most files include.
+void precompile(const Toolchain& tools, const std::string& header, const std::string& level) {
+    const fs::path prefix = prefix_of(tools, header, level), made = prefix.string() + ".gch",
+                   stamp = prefix.parent_path() / "prefix.key";
+    Dependencies all;
+    all.hash.add(tools.fixed);
+    add_file(tools, {}, header, all);
+    if (fs::exists(made) && fs::exists(stamp) && read_file(stamp.string()) == all.hash.text()) return;
+    fs::create_directories(prefix.parent_path());
     write_file(prefix.string(), read_file((tools.root / header).string()));
-    auto command = compile_command(tools, tools.work);
-    for (const std::string& word : {level, std::string("-x"), std::string("c++-header"), prefix.string(),
-                                    std::string("-o"), made.string()})
-        command.push_back(word);
-    const fs::path log = folder / "prefix.log";
-    if (run_process(command, log).code != 0) throw Error(header + " does not compile: " + complaint_in(log));
-    write_file(stamp.string(), hash.text());
+    const TemporaryFolder scratch(tools.work);
+    const auto complaint =
+        compile(tools, scratch.path, {level, "-x", "c++-header", prefix.string(), "-o", made.string()});
+    if (!complaint.empty()) throw Error(header + " does not compile: " + complaint);
+    write_file(stamp.string(), all.hash.text());
 }
 
 } // namespace
@@ -232,7 +218,7 @@ Toolchain read_toolchain(const fs::path& root, const fs::path& build) {
         if (key == "library") tools.libraries.push_back(value);
         hash.add(line);
     }
-    std::vector<std::string> objects = tools.libraries;
+    Words objects = tools.libraries;
     objects.push_back(tools.test_main);
     for (const std::string& object : objects)
         if (!fs::exists(object)) throw Error(object + " is not built: ./learn prove builds it");
@@ -243,22 +229,21 @@ Toolchain read_toolchain(const fs::path& root, const fs::path& build) {
 }
 
 std::string proof_key(const Toolchain& tools, const std::string& step) {
-    Hash hash;
-    std::set<std::string> seen;
+    Dependencies all;
     for (const std::string& source : check_sources(tools, Change{.step = step}))
-        add_with_includes(tools, {}, source, seen, hash);
+        add_file(tools, {}, source, all);
     for (const Mistake& mistake : read_catalogue(tools.root, step)) {
-        hash.add(mistake.id);
-        hash.add(mistake.file);
-        for (const PatchLine& line : mistake.patch) hash.add(line.kind + code_only(line.text));
+        all.hash.add(mistake.id);
+        all.hash.add(mistake.file);
+        for (const PatchLine& line : mistake.patch) all.hash.add(line.kind + code_only(line.text));
     }
-    return hash.text();
+    return all.hash.text();
 }
 
 void prepare(const Toolchain& tools, const std::string& step) {
     const BuildLock alone(tools.work);
-    parse_ahead(tools, "tests/pch.h", optimisation(step));
-    parse_ahead(tools, "common/pch.h", part_level);
+    precompile(tools, "tests/pch.h", optimisation(step));
+    precompile(tools, "common/pch.h", part_level);
 }
 
 Outcome run_checks(const Toolchain& tools, const Change& change) {
@@ -266,7 +251,7 @@ Outcome run_checks(const Toolchain& tools, const Change& change) {
     for (const std::string& source : check_sources(tools, change)) {
         Outcome of_source = run_source(tools, change, source);
         const bool fails = std::ranges::any_of(of_source.results, has_failed);
-        if (!of_source.compiled || of_source.too_long || fails) return of_source;
+        if (!of_source.compiled || of_source.timed_out || fails) return of_source;
         std::ranges::move(of_source.results, std::back_inserter(outcome.results));
     }
     return outcome;
@@ -275,33 +260,18 @@ Outcome run_checks(const Toolchain& tools, const Change& change) {
 bool render_picture(const Toolchain& tools, const Change& change, const fs::path& picture) {
     const std::string source = "steps/" + change.step + "/main.cpp";
     const fs::path stamp = fs::path(picture).replace_extension(".key");
-    const auto [key, parts] = look_at(tools, change, source);
+    const std::string key = dependencies(tools, change, source).hash.text();
     if (fs::exists(stamp) && read_file(stamp.string()) == key) return fs::exists(picture);
     const TemporaryFolder scratch(tools.work);
-    write_overlay(scratch.path, change);
-    const fs::path program = scratch.path / "program", log = scratch.path / "log";
-    std::vector<std::string> objects;
-    std::string complaint;
-    for (const std::string& part : parts)
-        if (complaint.empty()) complaint = compile_part(tools, change, part, scratch.path, objects);
-    auto command = compile_command(tools, scratch.path);
-    for (const std::string& word :
-         {part_level, std::string("-include"), (tools.work / "common" / part_level / "pch.h").string(),
-          (tools.root / source).string()})
-        command.push_back(word);
-    std::ranges::copy(objects, std::back_inserter(command));
-    std::ranges::copy(tools.libraries, std::back_inserter(command));
-    for (const std::string& word : {std::string("-pthread"), std::string("-o"), program.string()})
-        command.push_back(word);
-    if (complaint.empty() && run_process(command, log).code != 0) complaint = complaint_in(log);
+    const std::string complaint = build_program(tools, change, source, scratch.path);
     if (!complaint.empty()) throw Error(change.step + " does not compile: " + complaint);
     fs::create_directories(picture.parent_path());
     fs::remove(picture);
-    std::vector<std::string> render{program.string(), "--quiet", "--threads", "1", "--out", picture.string()};
-    std::ranges::copy(gallery_flags(tools.root, change.step), std::back_inserter(render));
-    run_process(render, log, check_limits);
+    Words render{(scratch.path / "program").string(), "--quiet", "--threads", "1", "--out", picture.string()};
+    append(render, gallery_flags(tools.root, change.step));
+    run_process(render, limited(scratch.path / "log"));
     write_file(stamp.string(), key);
     return fs::exists(picture);
 }
 
-} // namespace rt
+} // namespace rt::tutor

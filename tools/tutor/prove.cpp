@@ -1,5 +1,5 @@
-// The proof that the checks check: every stub fails them, and every mistake of the catalogue fails them in a way that
-// names it. ./learn prove runs it.
+// The proof that the checks check: every stub fails them, and every mistake of the catalogue fails them in a
+// way that names it. ./learn prove runs it.
 #include "tools/compare/comparison.h"
 #include "common/util/report_error.h"
 #include "common/util/cores.h"
@@ -9,29 +9,26 @@
 #include "common/util/version.h"
 #include "tools/tutor/catalogue.h"
 #include "tools/tutor/exercises.h"
-#include "tools/tutor/gallery.h"
+#include "tools/tutor/util.h"
 #include "tools/tutor/proof.h"
 #include "tools/tutor/record.h"
+#include "tools/tutor/workshop.h"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <exception>
 #include <iostream>
 #include <map>
-#include <mutex>
-#include <set>
-#include <thread>
 
-namespace rt {
+namespace rt::tutor {
 
 namespace {
 
 namespace fs = std::filesystem;
 
-struct Wishes {
+struct ProveOptions {
     std::string root, build, json, step;
     int jobs = 0;
     bool no_pictures = false;
@@ -68,21 +65,8 @@ struct StepProof {
     std::string step;
     std::vector<Mistake> mistakes;
     std::vector<Trial> trials;
-    std::vector<std::string> complaints;
+    Words complaints;
 };
-
-std::vector<std::string> step_names(const fs::path& root, const std::string& wanted) {
-    std::vector<std::string> steps;
-    for (const fs::path& entry : entries_of(root / "steps")) {
-        const std::string name = entry.filename().string();
-        const std::string number = name.substr(0, 2);
-        const bool meant = wanted.empty() || wanted == name || wanted == number || "0" + wanted == number;
-        std::error_code ignored;
-        if (meant && fs::is_directory(entry, ignored)) steps.push_back(name);
-    }
-    if (steps.empty()) throw Error("there is no step '" + wanted + "'");
-    return steps;
-}
 
 void add_stubs(const fs::path& root, StepProof& proof) {
     std::map<std::string, std::vector<Exercise>> by_file;
@@ -91,11 +75,11 @@ void add_stubs(const fs::path& root, StepProof& proof) {
         const std::string file = exercise.step + "/" + exercise.file;
         by_file[file].push_back(exercise);
         proof.trials.push_back(
-            {.change = {proof.step, "stub-" + exercise.name, {{file, cut(text(file), {exercise})}}},
+            {.change = {proof.step, "stub-" + exercise.name, {{file, make_stub(text(file), {exercise})}}},
              .outcome = {}});
     }
     Change all{proof.step, "stub-all", {}};
-    for (const auto& [file, exercises] : by_file) all.headers[file] = cut(text(file), exercises);
+    for (const auto& [file, exercises] : by_file) all.headers[file] = make_stub(text(file), exercises);
     proof.trials.push_back({.change = all, .outcome = {}});
 }
 
@@ -127,28 +111,6 @@ void try_out(const Toolchain& tools, Trial& trial, bool pictures) {
         trial.picture = render_picture(tools, trial.change, picture_path(tools, trial.change));
 }
 
-/// Calls work(i) for all i below `count`, on `jobs` threads. Passes on the first exception.
-void in_parallel(std::size_t count, int jobs, const std::function<void(std::size_t)>& work) {
-    std::atomic<std::size_t> next = 0;
-    std::exception_ptr problem;
-    std::mutex guard;
-    const auto run = [&] {
-        for (std::size_t i; (i = next++) < count;) {
-            try {
-                work(i);
-            } catch (...) {
-                const std::lock_guard lock(guard);
-                if (!problem) problem = std::current_exception();
-                next = count;
-            }
-        }
-    };
-    std::vector<std::jthread> threads;
-    for (int i = 0; i < jobs; ++i) threads.emplace_back(run);
-    threads.clear();
-    if (problem) std::rethrow_exception(problem);
-}
-
 /// As everywhere, up to rounding.
 bool differ(const fs::path& right, const fs::path& wrong) {
     if (!fs::exists(right) || !fs::exists(wrong)) return true;
@@ -160,26 +122,18 @@ bool differ(const fs::path& right, const fs::path& wrong) {
 /// Every third assertion of a signature is lost: those that another learner's mistake would not have failed.
 Signature thinned(const Signature& signature) {
     Signature thin{signature.id, {}};
-    for (std::size_t i = 0; i < signature.symptoms.size(); ++i)
-        if (i % 3 != 1) thin.symptoms.push_back(signature.symptoms[i]);
+    for (std::size_t i = 0; i < signature.assertions.size(); ++i)
+        if (i % 3 != 1) thin.assertions.push_back(signature.assertions[i]);
     return thin;
 }
 
-/// How many known signatures fit as well as the best one does; 0 if that of `id` is not among them.
-int group_size(const std::vector<Signature>& known, const Signature& seen) {
-    const std::vector<Match> matches = ranked(known, seen);
-    const auto equal = [&](const Match& match) { return match.score > matches[0].score - 1e-9; };
-    const bool there =
-        std::ranges::any_of(matches, [&](const Match& match) { return match.id == seen.id && equal(match); });
-    return there ? int(std::ranges::count_if(matches, equal)) : 0;
-}
-
-std::string group_words(const std::vector<Signature>& known, const Signature& seen) {
-    std::string words;
-    const std::vector<Match> matches = ranked(known, seen);
-    for (const Match& match : matches)
-        if (match.score > matches[0].score - 1e-9) words += " " + match.id;
-    return words;
+/// The mistakes whose known signatures fit best, equally well.
+Words best_matches(const std::vector<Signature>& known, const Signature& seen) {
+    Words ids;
+    const std::vector<SignatureMatch> matches = ranked(known, seen);
+    for (const SignatureMatch& match : matches)
+        if (match.score > matches[0].score - 1e-9) ids.push_back(match.id);
+    return ids;
 }
 
 void judge_reference(const Trial& trial, StepProof& proof) {
@@ -193,7 +147,7 @@ void judge_stub(const Trial& trial, Count& count, StepProof& proof) {
     ++count.stubs;
     if (!trial.outcome.compiled)
         proof.complaints.push_back(trial.change.id + " does not compile: " + trial.outcome.complaint);
-    else if (trial.outcome.too_long)
+    else if (trial.outcome.timed_out)
         proof.complaints.push_back(trial.change.id + " does not end");
     else if (!fails(trial.outcome))
         proof.complaints.push_back(trial.change.id + " passes all checks");
@@ -214,16 +168,16 @@ void judge_picture(const Trial& trial, Count& count, StepProof& proof) {
 
 void judge_name(const Trial& trial, const std::vector<Signature>& known, Count& count, StepProof& proof) {
     const Signature seen = signature_of(trial.change.id, trial.outcome.results);
-    const int group = group_size(known, seen);
-    count.named_first += group == 1;
-    count.named_in_group += group >= 1;
-    count.still_first += group_size(known, thinned(seen)) == 1;
-    if (group > 1)
-        proof.complaints.push_back(trial.change.id +
-                                   ": these cannot be told apart:" + group_words(known, seen));
-    if (group == 0)
-        proof.complaints.push_back(trial.change.id + " is taken for" + group_words(known, seen) +
-                                   " (./learn prove --write notes the signatures anew)");
+    const Words best = best_matches(known, seen);
+    const bool named = contains(best, seen.id);
+    count.named_in_group += named;
+    count.named_first += named && best.size() == 1;
+    count.still_first += best_matches(known, thinned(seen)) == Words{seen.id};
+    if (!named)
+        proof.complaints.push_back(seen.id + " is taken for " + joined(best, " ") +
+                                   " (./learn prove --write notes the signatures again)");
+    else if (best.size() > 1)
+        proof.complaints.push_back(seen.id + ": these cannot be told apart: " + joined(best, " "));
 }
 
 void judge_mistake(const Trial& trial, const std::vector<Signature>& known, Count& count, StepProof& proof) {
@@ -296,24 +250,12 @@ std::string json(const std::vector<Count>& counts, const Count& total) {
 }
 
 void print_row(const Count& count) {
-    const auto cell = [](const std::string& text, int width) {
-        std::cout << std::string(std::size_t(std::max(0, width - int(text.size()))), ' ') << text;
-    };
-    const auto of = [](int part, int whole) { return std::to_string(part) + "/" + std::to_string(whole); };
-    std::cout << count.step << std::string(std::size_t(std::max(0, 15 - int(count.step.size()))), ' ');
-    cell(of(count.stubs_failing, count.stubs), 11);
-    cell(of(count.caught, count.mistakes), 10);
-    cell(std::to_string(count.named_first), 13);
-    cell(std::to_string(count.named_in_group), 10);
-    cell(std::to_string(count.still_first), 13);
-    cell(count.pictures > 0 ? of(count.differing, count.pictures) : "-", 12);
-    std::cout << "\n";
-}
-
-void print_table(const std::vector<Count>& counts, const Count& total) {
-    std::cout << "step           stubs fail    caught  named alone  in group  a third lost  wrong picture\n";
-    for (const Count& count : counts) print_row(count);
-    print_row(total);
+    const auto number = [](int value) { return std::to_string(value); };
+    const auto part = [](int some, int all) { return part_of(std::size_t(some), std::size_t(all), "/"); };
+    std::cout << cell(count.step, -15) << cell(part(count.stubs_failing, count.stubs), 11)
+              << cell(part(count.caught, count.mistakes), 10) << cell(number(count.named_first), 13)
+              << cell(number(count.named_in_group), 10) << cell(number(count.still_first), 13)
+              << cell(count.pictures > 0 ? part(count.differing, count.pictures) : "-", 12) << "\n";
 }
 
 fs::path record_path(const Toolchain& tools) {
@@ -330,75 +272,79 @@ void note_key(const Toolchain& tools, const std::string& step) {
         record);
 }
 
-std::vector<StepProof> plan_all(const Toolchain& tools, const Wishes& wishes) {
+std::vector<StepProof> plan_all(const Toolchain& tools, const ProveOptions& options) {
     std::vector<StepProof> proofs;
     Record noted = read_record(record_path(tools));
-    for (const std::string& step : step_names(tools.root, wishes.step)) {
-        if (wishes.changed && noted[step] == proof_key(tools, step)) continue;
+    const Project project{tools.root, {}};
+    for (const std::string& step :
+         options.step.empty() ? all_steps(project) : Words{find_step(project, options.step)}) {
+        if (options.changed && noted[step] == proof_key(tools, step)) continue;
         prepare(tools, step);
         proofs.push_back(plan(tools.root, step));
     }
     return proofs;
 }
 
-void try_all(const Toolchain& tools, std::vector<StepProof>& proofs, const Wishes& wishes) {
+void try_all(const Toolchain& tools, std::vector<StepProof>& proofs, const ProveOptions& options) {
     std::vector<Trial*> trials;
     for (StepProof& proof : proofs)
         for (Trial& trial : proof.trials) trials.push_back(&trial);
-    in_parallel(trials.size(), wishes.jobs > 0 ? wishes.jobs : usable_cores(),
-                [&](std::size_t i) { try_out(tools, *trials[i], !wishes.no_pictures); });
+    in_parallel(trials.size(), options.jobs > 0 ? options.jobs : usable_cores(),
+                [&](std::size_t i) { try_out(tools, *trials[i], !options.no_pictures); });
 }
 
-bool prove(const Wishes& wishes) {
+bool prove(const ProveOptions& options) {
     const auto begin = std::chrono::steady_clock::now();
-    if (wishes.fresh) fs::remove_all(fs::path(wishes.root) / "build" / "prove");
-    const Toolchain tools = read_toolchain(wishes.root, wishes.build);
-    if (!wishes.json.empty()) check_file_writable(wishes.json);
-    std::vector<StepProof> proofs = plan_all(tools, wishes);
-    try_all(tools, proofs, wishes);
+    if (options.fresh) fs::remove_all(fs::path(options.root) / "build" / "prove");
+    const Toolchain tools = read_toolchain(options.root, options.build);
+    if (!options.json.empty()) check_file_writable(options.json);
+    std::vector<StepProof> proofs = plan_all(tools, options);
+    try_all(tools, proofs, options);
     std::vector<Count> counts;
     Count total{.step = "total"};
     for (StepProof& proof : proofs) {
-        counts.push_back(judge(tools, proof, wishes.write));
+        counts.push_back(judge(tools, proof, options.write));
         total.add(counts.back());
-        if (wishes.write && counts.back().proved()) note_key(tools, proof.step);
+        if (options.write && counts.back().proved()) note_key(tools, proof.step);
         for (const std::string& complaint : proof.complaints)
             std::cout << proof.step << ": " << complaint << "\n";
     }
-    print_table(counts, total);
+    std::cout << "step           stubs fail    caught  named alone  in group  a third lost  wrong picture\n";
+    for (const Count& count : counts) print_row(count);
+    print_row(total);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
     std::cout << "took " << int(seconds.count() + 0.5) << " s\n";
-    if (!wishes.json.empty()) write_file(wishes.json, json(counts, total));
+    if (!options.json.empty()) write_file(options.json, json(counts, total));
     return total.proved();
 }
 
 } // namespace
 
-} // namespace rt
+} // namespace rt::tutor
 
 int main(int argc, char** argv) {
-    rt::Wishes wishes;
+    rt::tutor::ProveOptions options;
     CLI::App app("Proves that the checks check: every stub fails them, every mistake of the catalogue is "
                  "caught and named.\n"
                  "Exit code: 0 all of it holds, 1 something does not, 2 an error.",
                  "prove");
     app.set_version_flag("--version", rt::version());
-    app.add_option("--json", wishes.json, "writes the counts to this file");
-    app.add_option("--step", wishes.step, "one step alone: 3, 03 or 03_mirror");
-    app.add_flag("--no-pictures", wishes.no_pictures, "does not render the wrong pictures");
-    app.add_flag("--write", wishes.write,
+    app.add_option("--json", options.json, "writes the counts to this file");
+    app.add_option("--step", options.step, "one step alone: 3, 03 or 03_mirror");
+    app.add_flag("--no-pictures", options.no_pictures, "does not render the wrong pictures");
+    app.add_flag("--write", options.write,
                  "notes the signatures of the mistakes in exercises/*/signatures.txt, and their pictures");
-    app.add_flag("--changed", wishes.changed,
+    app.add_flag("--changed", options.changed,
                  "leaves out the steps that have not changed since they were proved (exercises/proved.txt)");
-    app.add_flag("--fresh", wishes.fresh,
+    app.add_flag("--fresh", options.fresh,
                  "builds all of it anew, in place of what did not change since the last time");
-    app.add_option("--jobs", wishes.jobs, "how many at a time; 0 for as many as there are cores")
+    app.add_option("--jobs", options.jobs, "how many at a time; 0 for as many as there are cores")
         ->check(CLI::Range(0, 1024));
-    app.add_option("--root", wishes.root, "the project's folder")->required();
-    app.add_option("--build", wishes.build, "the build's folder")->required();
+    app.add_option("--root", options.root, "the project's folder")->required();
+    app.add_option("--build", options.build, "the build's folder")->required();
     try {
         app.parse(argc, argv);
-        return rt::prove(wishes) ? 0 : 1;
+        return rt::tutor::prove(options) ? 0 : 1;
     } catch (const CLI::ParseError& said) {
         return app.exit(said) == 0 ? 0 : 2;
     } catch (const std::exception& problem) {

@@ -2,22 +2,18 @@
 #include "tools/tutor/record.h"
 
 #include "common/util/file_bytes.h"
-#include "tools/tutor/exercises.h"
+#include "tools/tutor/util.h"
 
-#include <sstream>
-
-namespace rt {
+namespace rt::tutor {
 
 namespace fs = std::filesystem;
 
 Record read_record(const fs::path& path) {
     Record record;
     if (std::error_code ignored; !fs::exists(path, ignored)) return record;
-    for (const std::string& line : lines_of(read_file(path.string()))) {
-        std::istringstream words(line);
-        std::string name, key;
-        if (!line.starts_with("#") && words >> name >> key) record[name] = key;
-    }
+    for (const std::string& line : lines_of(read_file(path.string())))
+        if (const Words words = words_in(line); !line.starts_with("#") && words.size() == 2)
+            record[words[0]] = words[1];
     return record;
 }
 
@@ -37,10 +33,9 @@ std::string code_only(const std::string& source) {
         const bool is_whole_line = at == line.find_first_not_of(' ');
         if (at != std::string::npos && !marks && (is_whole_line || line.find('"', at) == std::string::npos))
             line.resize(at);
-        std::istringstream words(line);
-        for (std::string word; words >> word;) code += word + " ";
+        for (const std::string& word : words_in(line)) code += word + " ";
     }
     return code;
 }
 
-} // namespace rt
+} // namespace rt::tutor

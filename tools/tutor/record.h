@@ -6,7 +6,7 @@
 #include <map>
 #include <string>
 
-namespace rt {
+namespace rt::tutor {
 
 using Record = std::map<std::string, std::string>; ///< from "03_mirror" to its key
 
@@ -20,4 +20,4 @@ void write_record(const std::filesystem::path& path, const std::string& heading,
 /// //> and //<, stay, since stubs are cut by them; so does a comment with a quote behind it, which may be a text.
 std::string code_only(const std::string& source);
 
-} // namespace rt
+} // namespace rt::tutor

@@ -1,128 +1,99 @@
-// The report: what is known as JSON, the pictures as data URLs, both put into the page's frame.
+// The report: the findings as JSON, with pictures as data URLs, put into the page's frame.
 #include "tools/tutor/report.h"
 
 #include "common/util/error.h"
 #include "common/util/file_bytes.h"
-#include "tools/tutor/embed.h"
 
-#include <cmath>
-#include <cstdio>
-#include <string_view>
+#include <cstdint>
 
-namespace rt {
+namespace rt::tutor {
+
 namespace {
 
 /// Stands once in the frame, where the data goes.
 constexpr std::string_view place = "{{report}}";
 
-std::string number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.6g", value);
-    return std::isfinite(value) ? text : "null";
+std::uint32_t byte_at(std::string_view bytes, std::size_t i) {
+    return i < bytes.size() ? static_cast<std::uint8_t>(bytes[i]) : 0;
 }
 
-/// A JSON object that grows by one field at a time.
-class Object {
-  public:
-    Object& json(std::string_view name, const std::string& value) {
-        text += (text.size() > 1 ? ",\n" : "") + embedded_text(name) + ": " + value;
-        return *this;
-    }
-    Object& add(std::string_view name, const std::string& value) { return json(name, embedded_text(value)); }
-    Object& add(std::string_view name, double value) { return json(name, number(value)); }
-    std::string done() const { return text + "}"; }
+/// A PNG file, with its width and height as its head has them.
+struct Picture {
+    std::string bytes;
+    std::uint32_t width = 0, height = 0;
 
-  private:
-    std::string text = "{";
+    explicit Picture(const std::string& path) : bytes(read_file(path)) {
+        constexpr std::string_view opening("\x89PNG\r\n\x1A\n\0\0\0\rIHDR", 16); // then width and height
+        if (bytes.size() < 24 || !bytes.starts_with(opening))
+            throw Error(path + ": is no PNG picture; render it again");
+        for (std::size_t i = 0; i < 4; ++i) {
+            width = width << 8 | byte_at(bytes, 16 + i);
+            height = height << 8 | byte_at(bytes, 20 + i);
+        }
+    }
+    std::string url() const { return "data:image/png;base64," + base64(bytes); }
 };
 
-template <typename Element, typename Write>
-std::string array(const std::vector<Element>& elements, Write write) {
-    std::string text = "[";
-    for (const Element& element : elements) text += (text.size() > 1 ? ",\n" : "") + write(element);
-    return text + "]";
+/// Puts the pictures in place of their paths. They are shown on top of each other, so they have one size.
+void embed_pictures(Json& pictures) {
+    std::string first;
+    for (const char* const name : {"mine", "reference", "map"}) {
+        const std::string path = pictures.value(name, "");
+        pictures.erase(name);
+        if (path.empty()) continue;
+        const Picture picture(path);
+        if (first.empty()) first = path;
+        if (pictures.value("width", picture.width) != picture.width ||
+            pictures.value("height", picture.height) != picture.height)
+            throw Error(path + ": has another size than " + first + "; a report shows pictures of one size");
+        pictures["width"] = picture.width;
+        pictures["height"] = picture.height;
+        pictures[name] = picture.url();
+    }
 }
 
-std::string lines(const std::vector<std::string>& texts) {
-    return array(texts, embedded_text);
-}
-
-std::string check(const ReportCheck& check) {
-    return Object()
-        .add("name", check.name)
-        .add("state", check.state)
-        .add("seconds", check.seconds)
-        .json("lines", lines(check.lines))
-        .done();
-}
-
-std::string mistake(const Report& report) {
-    if (report.mistake_title.empty()) return "null";
-    Object object;
-    object.add("title", report.mistake_title)
-        .add("confidence", report.mistake_confidence)
-        .add("shows", report.mistake_shows)
-        .add("why", report.mistake_why)
-        .add("fix", report.mistake_fix);
+void embed_mistake(Json& mistake) {
+    if (!mistake.is_object()) return;
+    const std::string path = mistake.value("picture", "");
+    mistake.erase("picture");
     std::error_code ignored;
-    if (std::filesystem::exists(report.mistake_picture, ignored))
-        object.add("picture", embedded_picture(report.mistake_picture).url);
-    return object.done();
-}
-
-/// Mine, reference and map, those that there are. They lie over each other, so they have one size.
-std::string pictures(const Report& report) {
-    Object object;
-    EmbeddedPicture first;
-    std::string first_path;
-    const auto add = [&](std::string_view name, const std::filesystem::path& path) {
-        if (path.empty()) return;
-        const EmbeddedPicture picture = embedded_picture(path);
-        if (first_path.empty()) {
-            first_path = path.string();
-            first = picture;
-            object.add("width", picture.width).add("height", picture.height);
-        }
-        if (picture.width != first.width || picture.height != first.height)
-            throw Error(path.string() + ": has another size than " + first_path +
-                        "; a report shows pictures of one size");
-        object.add(name, picture.url);
-    };
-    add("mine", report.mine);
-    add("reference", report.reference);
-    add("map", report.map);
-    return object.done();
-}
-
-std::string data(const Report& report) {
-    return Object()
-        .add("step", report.step)
-        .add("question", report.question)
-        .json("own_files", lines(report.own_files))
-        .json("checks", array(report.checks, check))
-        .json("earlier", lines(report.earlier))
-        .add("verdict", report.verdict)
-        .json("verdict_lines", lines(report.verdict_lines))
-        .add("flip_mean", report.flip_mean)
-        .add("flip_max", report.flip_max)
-        .json("tiles_over_4", report.tiles_over_4 ? std::to_string(*report.tiles_over_4) : "null")
-        .json("mistake", mistake(report))
-        .add("next", report.next)
-        .add("settings", report.settings)
-        .json("pictures", pictures(report))
-        .done();
+    if (std::filesystem::exists(path, ignored)) mistake["picture"] = Picture(path).url();
 }
 
 } // namespace
 
-std::string report_html(const Report& report) {
-    const std::string frame = (report.root / "tools/tutor/report.html").string();
+std::string embedded(const Json& value) {
+    std::string out;
+    for (const char c : rt::json::text(value)) {
+        char escape[8];
+        std::snprintf(escape, sizeof escape, "\\u%04x", unsigned(c));
+        out += c == '<' || c == '>' || c == '&' || c == '\x7F' ? escape : std::string(1, c);
+    }
+    return out;
+}
+
+std::string base64(std::string_view bytes) {
+    static constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string out;
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        const std::uint32_t three =
+            byte_at(bytes, i) << 16 | byte_at(bytes, i + 1) << 8 | byte_at(bytes, i + 2);
+        for (const int shift : {18, 12, 6, 0}) out += digits[three >> shift & 63];
+    }
+    out.replace(out.size() - (3 - bytes.size() % 3) % 3, out.npos, (3 - bytes.size() % 3) % 3, '=');
+    return out;
+}
+
+std::string report_html(const std::filesystem::path& root, Json report) {
+    const std::string frame = (root / "tools/tutor/report.html").string();
     std::string page = read_file(frame);
     const std::size_t at = page.find(place);
     if (at == std::string::npos || page.find(place, at + 1) != std::string::npos)
         throw Error(frame + ": " + std::string(place) +
                     " must stand in it exactly once, where the data goes");
-    return page.replace(at, place.size(), data(report));
+    embed_pictures(report["pictures"]);
+    embed_mistake(report["mistake"]);
+    return page.replace(at, place.size(), embedded(report));
 }
 
-} // namespace rt
+} // namespace rt::tutor

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <iomanip>
 
-namespace rt {
+namespace rt::tutor {
 
 namespace {
 
-struct Standing {
+struct StepStatus {
     std::string step;
     int begun = 0;        ///< exercises of the learner's files that differ from their placeholder
     int exercises = 0;    ///< in the learner's files
@@ -24,36 +24,36 @@ struct Standing {
     bool done() const { return checked && !changed && all_well(check); }
 };
 
-void count_exercises(const Project& project, Standing& standing) {
-    const std::vector<std::string> files = own_files(project, standing.step);
-    standing.has_files = !files.empty();
-    for (const Exercise& exercise : exercises_of(project, standing.step)) {
-        ++standing.in_step;
+void count_exercises(const Project& project, StepStatus& status) {
+    const Words files = own_files(project, status.step);
+    status.has_files = !files.empty();
+    for (const Exercise& exercise : exercises_of(project, status.step)) {
+        ++status.in_step;
         if (std::ranges::find(files, exercise.file) == files.end()) continue;
-        ++standing.exercises;
-        const auto path = project.workshop / standing.step / exercise.file;
+        ++status.exercises;
+        const auto path = project.workshop / status.step / exercise.file;
         const std::string text = read_file(path.string());
         const std::string reference =
-            read_file((steps_folder(project) / standing.step / exercise.file).string());
-        if (!is_untouched(exercise, text, cut(reference, find_exercises(reference, path.string()))))
-            ++standing.begun;
-        else if (standing.to_write.empty())
-            standing.to_write = exercise.name + " in " + shown(path, place_of(exercise, text));
+            read_file((steps_folder(project) / status.step / exercise.file).string());
+        if (!is_untouched(exercise, text, make_stub(reference, find_exercises(reference, path.string()))))
+            ++status.begun;
+        else if (status.to_write.empty())
+            status.to_write = exercise.name + " in " + display_path(path, place_of(exercise, text));
     }
 }
 
-std::vector<Standing> standings(const Project& project) {
+std::vector<StepStatus> all_statuses(const Project& project) {
     const std::map<std::string, LastCheck> checks = read_checks(project);
-    std::vector<Standing> all;
+    std::vector<StepStatus> all;
     for (const std::string& step : all_steps(project)) {
-        Standing standing{.step = step};
-        count_exercises(project, standing);
+        StepStatus status{.step = step};
+        count_exercises(project, status);
         if (const auto check = checks.find(step); check != checks.end()) {
-            standing.checked = true;
-            standing.check = check->second;
-            standing.changed = check->second.fingerprint != fingerprint(project, step);
+            status.checked = true;
+            status.check = check->second;
+            status.changed = check->second.fingerprint != fingerprint(project, step);
         }
-        all.push_back(standing);
+        all.push_back(status);
     }
     return all;
 }
@@ -66,7 +66,7 @@ std::string verdict_words(const std::string& verdict) {
     return "the picture was not compared";
 }
 
-std::string words(const Standing& s) {
+std::string words(const StepStatus& s) {
     if (!s.has_files) return "not begun";
     std::string text = std::to_string(s.begun) + " of " + std::to_string(s.exercises) + " functions begun";
     if (s.exercises == 0) text = "begun";
@@ -79,14 +79,14 @@ std::string words(const Standing& s) {
 }
 
 /// The one thing to do next: first what was begun, then the step after the last one that is done.
-std::string advice(const std::vector<Standing>& all) {
-    const auto number = [](const Standing& s) { return s.step.substr(0, 2); };
-    const auto begun = [](const Standing& s) { return s.has_files && !s.done(); };
+std::string advice(const std::vector<StepStatus>& all) {
+    const auto number = [](const StepStatus& s) { return number_of(s.step); };
+    const auto begun = [](const StepStatus& s) { return s.has_files && !s.done(); };
     const auto open = std::ranges::find_if(all, begun);
     if (open != all.end() && !open->to_write.empty())
         return "write " + open->to_write + "; then ./learn check " + number(*open);
     if (open != all.end()) return "./learn check " + number(*open);
-    const auto done = [](const Standing& s) { return s.has_files && s.done(); };
+    const auto done = [](const StepStatus& s) { return s.has_files && s.done(); };
     auto from = all.begin();
     for (auto s = all.begin(); s != all.end(); ++s)
         if (done(*s)) from = s + 1;
@@ -99,11 +99,11 @@ std::string advice(const std::vector<Standing>& all) {
 } // namespace
 
 void show_status(const Project& project, std::ostream& out) {
-    const std::vector<Standing> all = standings(project);
-    for (const Standing& standing : all)
-        out << (standing.has_files && standing.done() ? "done  " : "      ") << std::left << std::setw(16)
-            << standing.step << words(standing) << "\n";
+    const std::vector<StepStatus> all = all_statuses(project);
+    for (const StepStatus& status : all)
+        out << (status.has_files && status.done() ? "done  " : "      ") << std::left << std::setw(16)
+            << status.step << words(status) << "\n";
     out << "\nnext: " << advice(all) << "\n";
 }
 
-} // namespace rt
+} // namespace rt::tutor

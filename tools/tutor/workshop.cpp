@@ -1,15 +1,16 @@
-// Finds the learner's files, and remembers in two small text files what was checked and which hints were shown.
-#include "tools/tutor/workshop.h"
-
+// Finds the files of a step, and remembers in two small text files what was checked and which hints were
+// shown.
 #include "common/util/report_error.h"
 #include "common/util/error.h"
 #include "common/util/file_bytes.h"
-#include "tools/tutor/hash.h"
+#include "tools/tutor/exercises.h"
+#include "tools/tutor/util.h"
+#include "tools/tutor/workshop.h"
 
 #include <algorithm>
 #include <charconv>
 
-namespace rt {
+namespace rt::tutor {
 
 namespace fs = std::filesystem;
 
@@ -17,32 +18,11 @@ namespace {
 
 constexpr const char* same_line = ", ";
 
-template <typename Names>
-std::string joined(const Names& names, const std::string& between) {
-    std::string text;
-    for (const std::string& name : names) text += (text.empty() ? "" : between) + name;
-    return text;
-}
-
 /// A word of the command line, as it may stand in a message.
 std::string quoted(const std::string& word) {
     std::string text = "'";
     for (const char c : word) text += (unsigned(c) & 0xff) < 0x20 ? ' ' : c;
     return text + "'";
-}
-
-std::string number_of(const std::string& step) {
-    return step.substr(0, step.find('_'));
-}
-
-std::vector<std::string> fields_of(const std::string& line) {
-    std::vector<std::string> fields(1);
-    for (const char c : line)
-        if (c == '\t')
-            fields.emplace_back();
-        else if (c != '\r')
-            fields.back() += c;
-    return fields;
 }
 
 /// A number from 0, or -1 for what is none.
@@ -54,33 +34,38 @@ int count_in(const std::string& field) {
 }
 
 /// The lines of one of the tutor's own files in the workshop, as fields; none if it is not there.
-std::vector<std::vector<std::string>> read_table(const fs::path& path) {
-    std::vector<std::vector<std::string>> table;
+std::vector<Words> read_table(const fs::path& path) {
+    std::vector<Words> table;
     std::error_code ignored;
     if (!fs::exists(path, ignored)) return table;
-    for (const std::string& line : lines_of(read_file(path.string()))) table.push_back(fields_of(line));
+    for (const std::string& line : lines_of(read_file(path.string())))
+        table.push_back(fields_of(trimmed(line)));
     return table;
 }
 
 } // namespace
 
+std::string number_of(const std::string& step) {
+    return step.substr(0, step.find('_'));
+}
+
 fs::path steps_folder(const Project& project) {
     return project.root / "steps";
 }
 
-std::vector<std::string> all_steps(const Project& project) {
-    std::vector<std::string> steps;
+Words all_steps(const Project& project) {
+    Words steps;
     std::error_code ignored;
     for (const fs::path& entry : entries_of(steps_folder(project)))
         if (fs::is_regular_file(entry / "main.cpp", ignored)) steps.push_back(entry.filename().string());
     if (steps.empty())
-        throw Error("there are no steps in " + shown(steps_folder(project)) +
+        throw Error("there are no steps in " + display_path(steps_folder(project)) +
                     ": --root names the project's folder");
     return steps;
 }
 
 std::string find_step(const Project& project, const std::string& word) {
-    const std::vector<std::string> steps = all_steps(project);
+    const Words steps = all_steps(project);
     for (const std::string& step : steps)
         if (word == step || word == number_of(step) || "0" + word == number_of(step)) return step;
     throw Error("there is no step " + quoted(word) + "; the steps are " + joined(steps, same_line));
@@ -88,7 +73,7 @@ std::string find_step(const Project& project, const std::string& word) {
 
 std::string question_of(const Project& project, const std::string& step) {
     const std::string path = (steps_folder(project) / step / "main.cpp").string();
-    const std::vector<std::string> lines = lines_of(read_file(path));
+    const Words lines = lines_of(read_file(path));
     const std::string first = lines.empty() ? "" : lines.front();
     const auto asks = first.find("asks: ");
     return asks == std::string::npos ? "" : first.substr(asks + 6);
@@ -102,20 +87,20 @@ Exercise find_exercise(const Project& project, const std::string& step, const st
     const std::vector<Exercise> exercises = exercises_of(project, step);
     const auto found = std::ranges::find(exercises, name, &Exercise::name);
     if (found != exercises.end()) return *found;
-    std::vector<std::string> names;
+    Words names;
     for (const Exercise& exercise : exercises) names.push_back(exercise.name);
     throw Error(step + " has no exercise " + quoted(name) + "; it has " + joined(names, same_line));
 }
 
-std::vector<std::string> files_to_write(const std::vector<Exercise>& exercises) {
-    std::vector<std::string> files;
+Words files_to_write(const std::vector<Exercise>& exercises) {
+    Words files;
     for (const Exercise& exercise : exercises)
         if (std::ranges::find(files, exercise.file) == files.end()) files.push_back(exercise.file);
     return files;
 }
 
-std::vector<std::string> own_files(const Project& project, const std::string& step) {
-    std::vector<std::string> files;
+Words own_files(const Project& project, const std::string& step) {
+    Words files;
     std::error_code ignored;
     for (const fs::path& entry : entries_of(project.workshop / step)) {
         const std::string file = entry.filename().string();
@@ -126,8 +111,8 @@ std::vector<std::string> own_files(const Project& project, const std::string& st
 }
 
 std::string find_own_file(const Project& project, const std::string& step, const std::string& word) {
-    const std::vector<std::string> files = own_files(project, step);
-    const std::string folder = shown(project.workshop / step);
+    const Words files = own_files(project, step);
+    const std::string folder = display_path(project.workshop / step);
     if (files.empty())
         throw Error("you have no files of " + step + ": ./learn start " + number_of(step) + " makes them");
     for (const std::string& file : files)
@@ -138,22 +123,22 @@ std::string find_own_file(const Project& project, const std::string& step, const
                 joined(files, same_line));
 }
 
-std::string shown(const fs::path& path) {
+std::string display_path(const fs::path& path) {
     std::error_code failure;
     const fs::path near = fs::proximate(path, failure);
     const bool elsewhere = failure || near.empty() || *near.begin() == "..";
     return printable((elsewhere ? path.lexically_normal() : near).string());
 }
 
-std::string shown(const fs::path& path, int line) {
-    return shown(path) + ":" + std::to_string(line);
+std::string display_path(const fs::path& path, int line) {
+    return display_path(path) + ":" + std::to_string(line);
 }
 
 void make_folder(const fs::path& folder) {
     std::error_code failure;
     fs::create_directories(folder, failure);
     if (failure || !fs::is_directory(folder, failure))
-        throw Error("cannot make the folder " + shown(folder) + " (" + failure.message() + ")");
+        throw Error("cannot make the folder " + display_path(folder) + " (" + failure.message() + ")");
 }
 
 std::map<std::string, LastCheck> read_checks(const Project& project) {
@@ -208,4 +193,31 @@ void write_shown_hints(const Project& project, const ShownHints& hints) {
     write_file((project.workshop / ".hints").string(), text);
 }
 
-} // namespace rt
+Words check_files(const fs::path& root, const std::string& step) {
+    Words files;
+    for (const fs::path& entry : entries_of(root / "tests" / step)) {
+        const fs::path name = entry.filename();
+        if (name.extension() == ".cpp") files.push_back(step + "_" + name.stem().string());
+    }
+    std::stable_partition(files.begin(), files.end(), [](const std::string& file) { return !is_slow(file); });
+    auto place = files.begin();
+    for (const Exercise& exercise : find_step_exercises(root / "steps", step)) {
+        const auto own = std::find(place, files.end(), check_file_of(step, exercise.file));
+        if (own != files.end()) std::rotate(place++, own, own + 1);
+    }
+    return files;
+}
+
+std::string check_source(const std::string& step, const std::string& file) {
+    return "tests/" + step + file.substr(step.size()).replace(0, 1, "/") + ".cpp";
+}
+
+bool is_slow(const std::string& file) {
+    return file.ends_with("_statistics");
+}
+
+std::string check_file_of(const std::string& step, const std::string& header) {
+    return step + "_" + fs::path(header).stem().string();
+}
+
+} // namespace rt::tutor

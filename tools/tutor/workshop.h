@@ -1,4 +1,5 @@
-// A learner's folder beside the reference: which step is meant, what stands in workshop/, and what is remembered.
+// The learner's folder beside the reference: which step is meant, which files there are, and what is
+// remembered.
 #pragma once
 
 #include "tools/tutor/exercises.h"
@@ -8,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace rt {
+namespace rt::tutor {
 
 /// Where all stands.
 struct Project {
@@ -19,10 +20,13 @@ struct Project {
 std::filesystem::path steps_folder(const Project& project);
 
 /// "01_spheres", "02_shadows", ... Throws Error if the root has no steps.
-std::vector<std::string> all_steps(const Project& project);
+Words all_steps(const Project& project);
 
 /// The full name of what 3, 03 or 03_mirror means. Throws Error with one line that names the steps.
 std::string find_step(const Project& project, const std::string& word);
+
+/// "03" of "03_mirror".
+std::string number_of(const std::string& step);
 
 /// The question that a step's main.cpp asks in its first line: "what does the mirror see?"
 std::string question_of(const Project& project, const std::string& step);
@@ -33,20 +37,20 @@ std::vector<Exercise> exercises_of(const Project& project, const std::string& st
 Exercise find_exercise(const Project& project, const std::string& step, const std::string& name);
 
 /// The files that hold exercises of the step, in the order of the exercises, each once.
-std::vector<std::string> files_to_write(const std::vector<Exercise>& exercises);
+Words files_to_write(const std::vector<Exercise>& exercises);
 
-/// The learner's headers in workshop/NN_name/, sorted, without what editors leave there; none if there is no such
-/// folder.
-std::vector<std::string> own_files(const Project& project, const std::string& step);
+/// The learner's headers in workshop/NN_name/, sorted, without what editors leave there; none if there is no
+/// such folder.
+Words own_files(const Project& project, const std::string& step);
 
 /// Which of the learner's files `word` means: "mirror.h", with or without folders before it. Throws Error.
 std::string find_own_file(const Project& project, const std::string& step, const std::string& word);
 
 /// A path as one types it here: without the current folder.
-std::string shown(const std::filesystem::path& path);
+std::string display_path(const std::filesystem::path& path);
 
 /// "workshop/03_mirror/mirror.h:33", which terminals and editors open.
-std::string shown(const std::filesystem::path& path, int line);
+std::string display_path(const std::filesystem::path& path, int line);
 
 /// As fs::create_directories. Throws Error.
 void make_folder(const std::filesystem::path& folder);
@@ -76,4 +80,18 @@ using ShownHints = std::map<std::string, int>;
 ShownHints read_shown_hints(const Project& project);
 void write_shown_hints(const Project& project, const ShownHints& hints);
 
-} // namespace rt
+/// As in "05_mesh_bvh_box": tests/05_mesh_bvh/box.cpp holds the checks, test_05_mesh_bvh_box runs them. First
+/// come those of headers with exercises, in an order in which these can be written; slow statistics come
+/// last.
+Words check_files(const std::filesystem::path& root, const std::string& step);
+
+/// "tests/05_mesh_bvh/box.cpp" for "05_mesh_bvh_box".
+std::string check_source(const std::string& step, const std::string& file);
+
+/// Statistics take longer than anybody likes to wait for.
+bool is_slow(const std::string& file);
+
+/// The one that has the checks of a header: "05_mesh_bvh_box" for box.h. Not every header has one.
+std::string check_file_of(const std::string& step, const std::string& header);
+
+} // namespace rt::tutor

@@ -11,6 +11,8 @@
 
 namespace rt::weave {
 
+using namespace tutor;
+
 namespace fs = std::filesystem;
 
 namespace {

@@ -7,9 +7,9 @@
 #include "common/util/file_bytes.h"
 #include "common/util/version.h"
 #include "tools/tutor/exercises.h"
-#include "tools/tutor/process.h"
 #include "tools/tutor/record.h"
-#include "tools/tutor/temporary.h"
+#include "tools/tutor/system.h"
+#include "tools/tutor/util.h"
 
 #include <CLI/CLI.hpp>
 
@@ -32,7 +32,7 @@ std::vector<std::string> pages_of(const Wishes& wishes) {
     if (!wishes.pages.empty()) return wishes.pages;
     std::vector<std::string> pages;
     for (const std::string folder : {"", "docs/", "accel/"})
-        for (const fs::path& entry : rt::entries_of(fs::path(wishes.root) / folder))
+        for (const fs::path& entry : rt::tutor::entries_of(fs::path(wishes.root) / folder))
             if (entry.extension() == ".md") pages.push_back(folder + entry.filename().string());
     std::ranges::sort(pages);
     return pages;
@@ -47,12 +47,10 @@ struct Report {
     }
 };
 
-constexpr rt::RunLimits patience{.seconds = 600};
-
 /// Without what differs from clone to clone: where the project lies, and how long it took to build.
 std::string without_place(const std::string& root, const std::string& output) {
     std::string result;
-    for (std::string line : rt::lines_of(output)) {
+    for (std::string line : rt::tutor::lines_of(output)) {
         if (line.starts_with("building...")) continue;
         for (std::size_t at; (at = line.find(root + "/")) != std::string::npos;)
             line.erase(at, root.size() + 1);
@@ -62,16 +60,18 @@ std::string without_place(const std::string& root, const std::string& output) {
 }
 
 /// Runs a line of bash in the project's folder, whatever signs are in its name. What it says goes to `said`.
-rt::Ended run_line(const Wishes& wishes, const std::string& line, const rt::TemporaryFile& said) {
+rt::tutor::ProcessResult run_line(const Wishes& wishes, const std::string& line, const fs::path& log) {
     const std::string command = "cd -- \"$1\" && shift && " + line;
-    return rt::run_process({"/bin/bash", "-c", command, "weave", wishes.root}, said.path, patience);
+    return rt::tutor::run_process({"bash", "-c", command, "weave", wishes.root},
+                                  {.log = log, .seconds = 600});
 }
 
 /// What a command says on its standard output. Throws Error if its code is not 0.
 std::string output_of(const Wishes& wishes, const std::string& command) {
-    const rt::TemporaryFile said;
-    const rt::Ended ended = run_line(wishes, "{ " + command + "\n} 2>/dev/null", said);
-    const std::string output = rt::read_file(said.path.string());
+    const rt::tutor::TemporaryFolder scratch;
+    const fs::path log = scratch.path / "log";
+    const rt::tutor::ProcessResult ended = run_line(wishes, "{ " + command + "\n} 2>/dev/null", log);
+    const std::string output = rt::read_file(log.string());
     if (ended.code != 0)
         throw rt::Error("`" + command + "` ends with code " + std::to_string(ended.code) + ":\n" + output);
     return without_place(wishes.root, output);
@@ -123,28 +123,29 @@ void run_outputs(const Wishes& wishes, const std::string& page, const std::strin
 void run_commands(const Wishes& wishes, const std::string& page, Report& report) {
     const std::string text = rt::read_file((fs::path(wishes.root) / page).string());
     const fs::path workshop = fs::path(wishes.root) / "workshop";
-    const rt::TemporaryFile said;
+    const rt::tutor::TemporaryFolder scratch;
+    const fs::path log = scratch.path / "log";
     std::error_code ignored;
     if (fs::exists(workshop, ignored))
         throw rt::Error(
             "workshop/ is there: what stands in it would change what the commands say; move it away");
     run_outputs(wishes, page, text, report);
-    for (const rt::weave::Command& command : rt::weave::find_commands(rt::lines_of(text), page)) {
+    for (const rt::weave::Command& command : rt::weave::find_commands(rt::tutor::lines_of(text), page)) {
         std::cout << page << ":" << command.number << ": " << command.line << std::endl;
-        const rt::Ended ended = run_line(wishes, command.line, said);
-        if (ended.code != command.code || ended.too_long)
+        const rt::tutor::ProcessResult ended = run_line(wishes, command.line, log);
+        if (ended.code != command.code || ended.timed_out)
             report.add(page + ":" + std::to_string(command.number) + ": ends with code " +
                        std::to_string(ended.code) + ", not " + std::to_string(command.code) + ":\n" +
-                       rt::read_file(said.path.string()));
+                       rt::read_file(log.string()));
     }
     fs::remove_all(workshop, ignored);
 }
 
 /// docs/ran.txt: of each page that runs something, the key of what was run when all of it held.
-void note_keys(const Wishes& wishes, rt::Record record) {
+void note_keys(const Wishes& wishes, rt::tutor::Record record) {
     const fs::path root = wishes.root;
     std::erase_if(record, [&](const auto& page) { return !fs::exists(root / page.first); });
-    rt::write_record(
+    rt::tutor::write_record(
         root / "docs" / "ran.txt",
         "# Of each page, the key of what ./learn weave --commands ran when all of it held: its commands and "
         "outputs,\n# ./learn, and the steps. Read by ./learn weave --commands --changed.\n",
@@ -153,7 +154,7 @@ void note_keys(const Wishes& wishes, rt::Record record) {
 
 /// The commands of the pages: of all, or of those that are not as they were when they ran well.
 int run_all_commands(const Wishes& wishes) {
-    rt::Record keys = rt::read_record(fs::path(wishes.root) / "docs" / "ran.txt");
+    rt::tutor::Record keys = rt::tutor::read_record(fs::path(wishes.root) / "docs" / "ran.txt");
     bool all_is_true = true;
     for (const std::string& page : pages_of(wishes)) {
         const std::string key = rt::weave::page_key(wishes.root, page);
@@ -162,7 +163,7 @@ int run_all_commands(const Wishes& wishes) {
         Report report;
         run_commands(wishes, page, report);
         all_is_true = all_is_true && report.all_is_true;
-        if (wishes.changed || !report.all_is_true) continue;
+        if (!report.all_is_true) continue;
         keys[page] = key;
         note_keys(wishes, keys);
     }

@@ -12,6 +12,8 @@
 
 namespace rt::weave {
 
+using namespace tutor;
+
 namespace {
 
 struct Item {

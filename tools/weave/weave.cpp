@@ -5,9 +5,9 @@
 #include "common/util/file_bytes.h"
 #include "tools/tutor/catalogue.h"
 #include "tools/tutor/exercises.h"
-#include "tools/tutor/hash.h"
-#include "tools/tutor/line_diff.h"
 #include "tools/tutor/record.h"
+#include "tools/tutor/util.h"
+#include "tools/tutor/diff.h"
 #include "tools/weave/region.h"
 
 #include <algorithm>
@@ -16,6 +16,8 @@
 #include <sstream>
 
 namespace rt::weave {
+
+using namespace tutor;
 
 namespace fs = std::filesystem;
 
@@ -56,8 +58,8 @@ std::string listing(const fs::path& root, const std::string& what) {
 std::string diff(const fs::path& root, const std::string& what) {
     const auto files = words_of(what);
     if (files.size() != 2) throw Error("diff: wants two files, not \"" + what + "\"");
-    const std::string text = unified(
-        line_diff(lines_of(read(root, files[0])), lines_of(read(root, files[1]))), files[0], files[1], false);
+    const std::string text =
+        unified_diff({files[0], read(root, files[0])}, {files[1], read(root, files[1])}, false);
     if (text.empty()) throw Error("diff: " + files[0] + " and " + files[1] + " are the same");
     return "```diff\n" + text + "```\n";
 }
@@ -190,7 +192,7 @@ std::string page_key(const fs::path& root, const std::string& page) {
     hash.add(read_file((root / "learn").string()));
     for (const fs::path& step : entries_of(root / "steps"))
         if (step.filename().string().substr(0, 2) <= last) add_code_below(step, hash);
-    add_code_below(root / "accel", hash);
+    for (const char* const folder : {"accel", "tools/tutor"}) add_code_below(root / folder, hash);
     return hash.text();
 }
 

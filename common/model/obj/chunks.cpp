@@ -1,5 +1,5 @@
-// One thread reads the next chunk of the file while others parse theirs: the text is never in memory as a
-// whole.
+// Reads an OBJ file in chunks: one thread reads the next chunk while others parse theirs.
+// The whole text is never in memory at the same time.
 #include "common/model/obj/chunks.h"
 
 #include "common/util/cores.h"
@@ -17,8 +17,8 @@
 namespace rt {
 namespace {
 
-/// Where `text` can be cut in two: behind the last '\n' at or behind `from` that no '\' can join to the next
-/// line. 0 if there is none. Looks at most at what stands behind `from` and one line before it.
+/// Returns where `text` can be split: after the last '\n' at or after `from` that no '\' joins to the next
+/// line, or 0 if there is none. Looks only at the text after `from` and at one line before it.
 std::size_t last_cut(const std::string& text, std::size_t from) {
     for (std::size_t end = text.size(); end > from; --end) {
         if (text[end - 1] != '\n') continue;
@@ -28,7 +28,8 @@ std::size_t last_cut(const std::string& text, std::size_t from) {
     return 0;
 }
 
-/// Refuses UTF-16, and a megabyte of one line that holds zeros, before the rest is read.
+/// Rejects UTF-16, and binary files whose first megabyte is one line that contains zeros,
+/// before the rest is read.
 void check_beginning(const std::string& path) {
     InputFile file(path);
     std::string text(std::size_t(std::min<std::uintmax_t>(file.bytes_left(), 1 << 20)), ' ');
@@ -62,7 +63,7 @@ class Chunks {
     const std::size_t chunk_bytes;
     int threads = 1;
     std::mutex mutex; ///< guards `file`, `rest`, `chunks` and `stopped`
-    std::string rest; ///< read, but behind the last cut
+    std::string rest; ///< text read, but after the last split
     std::deque<ParsedChunk> chunks;
     bool stopped = false;
 };
@@ -72,7 +73,7 @@ std::deque<ParsedChunk> Chunks::read() {
     try {
         while (int(others.size()) + 1 < threads)
             others.push_back(std::async(std::launch::async, [this] { work(); }));
-    } catch (const std::system_error&) { // no more threads to be had: those that run are enough
+    } catch (const std::system_error&) { // the system gives no more threads: those that run are enough
     }
     work();
     for (std::future<void>& other : others) other.get();
@@ -86,12 +87,12 @@ void Chunks::work() {
         unify_line_ends(text);
         *chunk = parse_chunk(text, begins_file);
         if (!chunk->fault) continue;
-        const std::lock_guard lock(mutex); // chunks before this one are under way, those behind it not needed
+        const std::lock_guard lock(mutex); // earlier chunks are being parsed, later ones are not needed
         stopped = true;
     }
 }
 
-/// The place for the next chunk; null if there is none.
+/// Reads the next chunk into `text` and returns the place for its result, or null at the end of the file.
 ParsedChunk* Chunks::next(std::string& text, bool& begins_file) {
     const std::lock_guard lock(mutex);
     if (stopped) return nullptr;

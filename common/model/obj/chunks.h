@@ -1,5 +1,4 @@
-// An OBJ file read in chunks of whole lines, several threads at a time, the same result for any number of
-// them.
+// Reads an OBJ file in chunks of whole lines, on several threads; their number does not affect the result.
 #pragma once
 
 #include "common/model/obj/parse.h"
@@ -10,8 +9,8 @@
 
 namespace rt {
 
-/// All of the file, or all up to the first chunk with a fault, in the file's order. Throws Error for a file
-/// that cannot be read, is empty, or whose beginning is no text.
+/// Returns the parsed chunks in the file's order: all of them, or those up to the first with an error. Throws
+/// Error if the file cannot be read, is empty, or does not begin with text.
 std::deque<ParsedChunk> read_chunks(const std::string& path, const ObjReadOptions& reading);
 
 } // namespace rt

@@ -1,4 +1,4 @@
-// Files that an OBJ or MTL file names, as people really write them.
+// Finds the files that an OBJ or MTL file names, despite quotes, backslashes, case and foreign folders.
 #include "common/model/obj/find_file.h"
 
 #include "common/util/text.h"
@@ -23,8 +23,8 @@ std::string lower(std::string text) {
     return text;
 }
 
-/// What is called `name` in a folder, but for capitals; the first in the alphabet of several, empty if none
-/// is.
+/// Returns the entry of `folder` that equals `name` except for case; the alphabetically
+/// first of several, or empty.
 fs::path in_folder(const fs::path& folder, const std::string& name) {
     fs::path found;
     std::error_code failure;
@@ -36,7 +36,7 @@ fs::path in_folder(const fs::path& folder, const std::string& name) {
     return found;
 }
 
-/// A file whose path differs from this one in capitals alone; empty if there is none.
+/// Returns a file whose path equals `path` except for case, or an empty path.
 fs::path in_any_case(const fs::path& path) {
     fs::path found = path.root_path();
     for (const fs::path& part : path.relative_path()) {
@@ -57,7 +57,7 @@ std::string unquoted(std::string_view name) {
 }
 
 NamesOfLine names_of_line(std::string text) {
-    // A space after a backslash belongs to the name; scan_chunk() has made '/' of every '\'.
+    // An escaped blank belongs to the name; Parser::read_name() has replaced its '\' by '/'.
     const std::string escaped{'/', name_space};
     for (std::size_t at = 0; (at = text.find(escaped, at)) != std::string::npos;) text.replace(at, 2, " ");
     NamesOfLine names{unquoted(text), {""}};
@@ -81,7 +81,7 @@ std::vector<fs::path> candidates(const std::string& name, const std::vector<fs::
         const fs::path normal = path.lexically_normal();
         if (std::find(paths.begin(), paths.end(), normal) == paths.end()) paths.push_back(normal);
     };
-    for (const fs::path& folder : folders) add(folder / name); // an absolute name stays as it is
+    for (const fs::path& folder : folders) add(folder / name); // an absolute name stays unchanged
     for (const fs::path& folder : folders) add(folder / fs::path(name).filename());
     return paths;
 }

@@ -1,5 +1,5 @@
-// Files that an OBJ or MTL file names, as people really write them: in quotes, with spaces, with
-// backslashes, in capitals or not, on somebody else's disk.
+// Finds the files that an OBJ or MTL file names as such files really occur:
+// in quotes, with spaces or backslashes, in the wrong case, or with a path of another computer.
 #pragma once
 
 #include <filesystem>
@@ -9,30 +9,30 @@
 
 namespace rt {
 
-/// `name` without the quotes round it, if it has some.
+/// Returns `name` without its enclosing quotes, if it has any.
 std::string unquoted(std::string_view name);
 
-/// The names of a mtllib line, where `name_space` stands between words: first the whole as one name with
-/// spaces in it, and apart from that each of several, where quotes hold words together.
+/// The names of an mtllib line, in which `name_space` separates words. `whole`: the line as a single name
+/// with spaces. `parts`: the line as several names; quotes keep words together.
 struct NamesOfLine {
     std::string whole;
     std::vector<std::string> parts;
 };
 NamesOfLine names_of_line(std::string text);
 
-/// Where a file that is called `name` may stand: as stated, seen from each folder, and by its bare name
-/// there.
+/// Returns the paths where a file called `name` may be: the stated path relative to each folder, then its
+/// bare file name in each folder.
 std::vector<std::filesystem::path> candidates(const std::string& name,
                                               const std::vector<std::filesystem::path>& folders);
 
-/// Those of `paths` where a file is. If it is at none of them, files whose names differ from them in capitals
-/// alone.
+/// Returns those of `paths` where a file exists. If there are none, returns existing files whose
+/// paths differ only in case.
 std::vector<std::filesystem::path> existing(const std::vector<std::filesystem::path>& paths);
 
-/// All of them, for a message.
+/// Returns all paths, separated by commas, for a message.
 std::string listed(const std::vector<std::filesystem::path>& paths);
 
-/// One name for a file, whatever it was called: for telling whether two are the same.
+/// Returns the canonical name of a file, for testing whether two paths name the same file.
 std::string one_name_of(const std::filesystem::path& path);
 
 } // namespace rt

@@ -1,5 +1,6 @@
-// The chunks of an OBJ file put together. The model's box is known only then, and with it the point that
-// coordinates are moved to before they become floats.
+// Joins the chunks of an OBJ file into one model.
+// The bounding box is known only after joining, and with it the origin that coordinates are moved to
+// before they become floats.
 #include "common/model/obj/join.h"
 
 #include "common/util/error.h"
@@ -14,9 +15,9 @@ namespace rt {
 namespace {
 
 constexpr std::array<int ObjIndex::*, 3> index{&ObjIndex::position, &ObjIndex::uv, &ObjIndex::normal};
-constexpr double smallest_size = 1e-15, largest_size = 1e16; // squares of squares of lengths fit a double
+constexpr double smallest_size = 1e-15, largest_size = 1e16; // fourth powers of lengths fit a double
 
-/// How much stands before a chunk.
+/// What precedes a chunk in the file.
 struct Before {
     std::array<int, 3> counts{}; ///< positions, uvs, normals
     int lines = 0;
@@ -29,14 +30,14 @@ void add_skipped(SkippedLines& all, const SkippedLines& part, int lines_before) 
         if ((part.*kind).count > 0) (all.*kind).add(lines_before + (part.*kind).line, (part.*kind).count);
 }
 
-/// Goes on with the chunk that follows. Throws Error for its first fault.
+/// Adds the counts of the next chunk to the summary. Throws Error for its first error.
 void add_facts(const std::string& path, const ParsedChunk& chunk, const Before& before, ObjSummary& summary) {
     const int positions = before.counts[IndexKind::position];
     for (const RelativeIndex& b : chunk.relative_indices) {
         if (b.missing > positions)
             throw Error(at_line(path, before.lines + b.line,
                                 "a face names position " + b.number + ", but only " +
-                                    std::to_string(positions + b.count) + " stand before it"));
+                                    std::to_string(positions + b.count) + " precede it"));
     }
     if (chunk.fault) throw Error(at_line(path, before.lines + chunk.fault->line, chunk.fault->message));
     for (const auto& [name, line] : chunk.materials) summary.materials.emplace(name, before.lines + line);
@@ -47,7 +48,8 @@ void add_facts(const std::string& path, const ParsedChunk& chunk, const Before& 
     add_skipped(summary.skipped, chunk.skipped, before.lines);
 }
 
-/// An index that counts back beyond the file's beginning becomes one that is as far out of range.
+/// Converts relative indices to absolute ones. One that reaches back before the beginning of the file
+/// becomes an out-of-range index.
 void make_absolute(ParsedChunk& chunk, const Before& before) {
     for (const auto kind : {IndexKind::position, IndexKind::uv, IndexKind::normal}) {
         for (const std::size_t i : chunk.relative[kind]) {
@@ -58,7 +60,8 @@ void make_absolute(ParsedChunk& chunk, const Before& before) {
     }
 }
 
-/// A face may come before its vertices, so the largest number is looked at last.
+/// Checks the position indices of all faces. Runs after all chunks are joined, since a face
+/// may precede its vertices.
 void check_positions(const std::string& path, const std::deque<ParsedChunk>& chunks, std::size_t count) {
     int largest = 0, largest_line = 0, lines = 0;
     for (const ParsedChunk& chunk : chunks) {
@@ -74,7 +77,7 @@ void check_positions(const std::string& path, const std::deque<ParsedChunk>& chu
                                 std::to_string(count) + " (lines that begin with v)"));
 }
 
-/// Puts `rows` behind `all` and gives their memory back.
+/// Appends `rows` to `all` and frees the memory of `rows`.
 template <typename Element>
 void move_to_end(std::vector<Element>& all, std::vector<Element>& rows) {
     all.insert(all.end(), rows.begin(), rows.end());
@@ -91,7 +94,7 @@ void move_vertices(ParsedChunk& chunk, std::vector<dvec3>& positions, ObjModel& 
     move_to_end(file.normals, chunk.normals);
 }
 
-/// Corners keep no uv or normal that is not there.
+/// Removes uv or normal indices that are out of range from the face vertices.
 void drop_missing(ParsedChunk& chunk, IndexKind::Kind kind, int count, int lines_before, Skipped& skipped) {
     if (chunk.largest[kind] <= count) return;
     std::size_t first = 0, dropped = 0;
@@ -104,7 +107,7 @@ void drop_missing(ParsedChunk& chunk, IndexKind::Kind kind, int count, int lines
     skipped.add(lines_before + line_of_corner(chunk, first), dropped);
 }
 
-/// A row without a usable value is as good as none: no corner keeps its index, and it becomes `harmless`.
+/// Removes unusable rows: no face vertex keeps such an index, and the row's value becomes `harmless`.
 template <typename Element, typename Usable>
 void drop_unusable(std::deque<ParsedChunk>& chunks, IndexKind::Kind kind, std::vector<Element>& rows,
                    Element harmless, const Usable& usable) {
@@ -119,7 +122,7 @@ void drop_unusable(std::deque<ParsedChunk>& chunks, IndexKind::Kind kind, std::v
         rows, [&](const Element& row) { return !usable(row); }, harmless);
 }
 
-/// A direction that can be scaled to unit length in floats.
+/// Returns whether a float vector can be normalised.
 bool is_direction(vec3 v) {
     const float square = dot(v, v);
     return square > 0 && std::isfinite(square);
@@ -136,7 +139,8 @@ struct Extent {
     }
 };
 
-/// Of what faces name: files hold other vertices as well, often at the origin.
+/// Returns the bounding box of the positions used by faces. Files often contain unused vertices as well,
+/// typically at the origin.
 Extent extent_of(const std::deque<ParsedChunk>& chunks, const std::vector<dvec3>& positions) {
     Extent extent;
     for (const ParsedChunk& chunk : chunks)
@@ -144,9 +148,10 @@ Extent extent_of(const std::deque<ParsedChunk>& chunks, const std::vector<dvec3>
     return extent;
 }
 
-/// A float rounds a coordinate by up to 2^-24 of it. Beyond 8 sizes from the origin that is more than 2^-21
-/// of the model's size, which is as much as a hit is off by: then the model's middle becomes its origin, a
-/// whole number where that is fine enough, so that decimal coordinates keep their few digits.
+/// Returns the point to move to the origin. A float rounds a coordinate by up to 2^-24 of its value. Beyond 8
+/// model sizes from the origin, that is more than 2^-21 of the model's size, which is the error of a hit
+/// point. The model's centre then becomes the origin: rounded to whole numbers where that is fine enough, so
+/// that decimal coordinates keep their few digits.
 dvec3 origin_of(const Extent& extent) {
     const double size = extent.size();
     if (!(extent.farthest() > 8 * size)) return dvec3(0);
@@ -154,7 +159,7 @@ dvec3 origin_of(const Extent& extent) {
     return size > 4 ? round(center) : center;
 }
 
-/// The number, from 1, of a position with the largest coordinate that a face names.
+/// Returns the 1-based index of a position, used by a face, that has the largest coordinate.
 int farthest_position(const std::deque<ParsedChunk>& chunks, const std::vector<dvec3>& positions,
                       const Extent& extent) {
     for (const ParsedChunk& chunk : chunks)
@@ -177,7 +182,8 @@ void check_size(const std::string& path, const std::deque<ParsedChunk>& chunks,
     throw Error(path + text);
 }
 
-/// What no face names need not fit a float.
+/// Converts positions to floats relative to the origin. Positions that no face uses may not fit
+/// a float; they become 0.
 void move_to_origin(const std::vector<dvec3>& positions, ObjModel& file) {
     file.positions.reserve(positions.size());
     for (const dvec3& position : positions) {
@@ -191,7 +197,8 @@ float linear_from_srgb(float value) { // IEC 61966-2-1
     return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
 }
 
-/// Vertices without a colour are white. Values beyond 1 mean that the file states bytes.
+/// Converts vertex colours to linear RGB. Vertices without a colour become white. Values above 1 mean that
+/// the file states bytes.
 void finish_colors(const std::deque<ParsedChunk>& chunks, std::size_t count, std::vector<vec3>& colors) {
     if (colors.empty())
         for (const ParsedChunk& chunk : chunks)
@@ -207,7 +214,7 @@ void finish_colors(const std::deque<ParsedChunk>& chunks, std::size_t count, std
     }
 }
 
-/// Room for all chunks, so that nothing is copied twice.
+/// Reserves memory for all chunks, so that nothing is copied twice.
 void reserve(const std::deque<ParsedChunk>& chunks, std::vector<dvec3>& positions, ObjModel& file) {
     std::size_t all_positions = 0, all_uvs = 0, all_normals = 0;
     for (const ParsedChunk& chunk : chunks) {
@@ -220,7 +227,8 @@ void reserve(const std::deque<ParsedChunk>& chunks, std::vector<dvec3>& position
     file.normals.reserve(all_normals);
 }
 
-/// Moves the vertices of all chunks into `file`, and the positions, as they are stated, into what it returns.
+/// Moves the uvs, normals and colours of all chunks into `file` and returns the positions
+/// as stated in the file.
 std::vector<dvec3> join(const std::string& path, std::deque<ParsedChunk>& chunks, ObjModel& file,
                         ObjSummary& summary) {
     std::vector<dvec3> positions;

@@ -1,5 +1,4 @@
-// The chunks of an OBJ file put together: one numbering for all, every index checked, the model moved to
-// where floats are fine enough.
+// Joins the chunks of an OBJ file: one numbering, checked indices, and coordinates moved near the origin.
 #pragma once
 
 #include "common/model/obj/parse.h"
@@ -10,19 +9,19 @@
 
 namespace rt {
 
-/// What a file's lines say as a whole. Lines count from 1 in the file.
+/// Facts about the whole file. Line numbers count from 1 in the file.
 struct ObjSummary {
     std::size_t faces = 0, corners = 0;
-    std::map<std::string, int> materials; ///< each name after usemtl, and the line of its first use
-    bool names_library = false;           ///< there is a mtllib line
-    bool has_smoothing = false;           ///< there is an s line
+    std::map<std::string, int> materials; ///< each usemtl name, with the line of its first use
+    bool names_library = false;           ///< the file has an mtllib line
+    bool has_smoothing = false;           ///< the file has an s line
     SkippedLines skipped;
 };
 
-/// Moves positions, normals, uvs and colours of all chunks into `file`, and sets its origin. The corners of
-/// the chunks are then indices of `file`, in range; -1 also where the file gives no usable normal or uv.
-/// Throws Error for the first fault in the file's order, for a file without faces, and for a model of absurd
-/// size.
+/// Moves positions, normals, uvs and colours of all chunks into `file`, and sets its origin. Afterwards
+/// the face vertices of the chunks hold indices into `file`, in range, and -1 where the file gives no
+/// usable normal or uv. Throws Error for the first error in the file's order, for a file without faces,
+/// and for a model of absurd size.
 ObjSummary join_chunks(const std::string& path, std::deque<ParsedChunk>& chunks, ObjModel& file);
 
 } // namespace rt

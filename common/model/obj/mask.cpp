@@ -1,4 +1,4 @@
-// Cut-outs: the alpha channel of a picture, or its grey value, as a mask.
+// Cut-outs: turns the alpha channel of an image, or its grey value, into a mask.
 #include "common/model/obj/mask.h"
 
 #include <algorithm>
@@ -8,9 +8,9 @@
 namespace rt {
 namespace {
 
-constexpr int passes = 2; // filtering reads one texel beyond those that are seen
+constexpr int passes = 2; // filtering reads one texel beyond the visible ones
 
-/// The mean value of those of the eight neighbours that are `known`; false if none is.
+/// Sets `mean` to the mean of the `known` ones among the eight neighbours; returns false if there are none.
 bool mean_of_neighbours(const Bitmap& bitmap, const std::vector<bool>& known, int x, int y,
                         std::array<std::uint16_t, 3>& mean) {
     std::array<unsigned, 3> sum{};
@@ -29,7 +29,7 @@ bool mean_of_neighbours(const Bitmap& bitmap, const std::vector<bool>& known, in
     return count > 0;
 }
 
-/// One texel further into the holes.
+/// Extends the known colours by one texel into the holes.
 void grow_colours(Bitmap& bitmap, std::vector<bool>& known) {
     std::vector<std::pair<std::size_t, std::array<std::uint16_t, 3>>> found;
     std::array<std::uint16_t, 3> mean{};

@@ -1,17 +1,17 @@
-// Cut-outs: where a picture says that there is no surface.
+// Cut-outs: masks for surfaces with holes.
 #pragma once
 
 #include "common/image/image_file.h"
 
 namespace rt {
 
-/// The alpha channel of a picture if it says something, else its grey value as it stands in the file
-/// (opacity is no light: no curve is undone). Without a hole, the mask is empty: 0 x 0.
+/// Returns the alpha channel of an image or, if it has none, its grey value as stored (opacity is not light,
+/// so no transfer curve is applied). If there is no hole, the mask is empty: 0 x 0.
 Mask mask_of(const Bitmap& bitmap);
 
-/// The colour of a texel that is less than half opaque is not to be seen, and often black. But filtering
-/// blends it into its neighbours: so it takes the mean colour of those around it that can be seen. Pictures
-/// repeat.
+/// Replaces the colours of texels below half opacity by the mean colour of the visible texels around
+/// them. Such a colour is hidden, and often black, but filtering would blend it into the neighbours.
+/// The image wraps around.
 void fill_hidden_colours(Bitmap& bitmap);
 
 } // namespace rt

@@ -1,4 +1,4 @@
-// The materials of an OBJ file: their libraries, their textures, and their numbers in our terms.
+// The materials of an OBJ file: finds their libraries and textures, and converts them to ObjMaterial.
 #include "common/model/obj/material.h"
 
 #include "common/util/report_error.h"
@@ -21,14 +21,14 @@ std::string with_spaces(std::string name) {
     return name;
 }
 
-/// Warns of a file that is found by another name than the one in `paths`.
+/// Warns if a file was found under a name that differs from those in `paths`.
 void warn_of_case(const std::string& where, const std::string& name, const fs::path& file,
                   const std::vector<fs::path>& paths) {
     if (std::find(paths.begin(), paths.end(), file) == paths.end())
-        warn(where + ": " + in_quotes(name) + " is not there, " + file.string() + " is taken for it");
+        warn(where + ": " + in_quotes(name) + " does not exist, using " + file.string() + " instead");
 }
 
-/// Eight by eight, magenta and black: a colour that nobody mistakes for the model's own.
+/// Returns an 8 x 8 checker of magenta and black, which nobody mistakes for the model's own texture.
 Bitmap checker() {
     Bitmap bitmap{8, 8, {}, {}, ""};
     for (int i = 0; i < 64; ++i) {
@@ -42,7 +42,7 @@ float clamped(float value, float low, float high, const std::string& where, cons
     if (value >= low && value <= high) return value;
     const float kept = value < low ? low : high;
     std::ostringstream message;
-    message << where << ": " << what << " is " << value << " and is taken as " << kept;
+    message << where << ": " << what << " is " << value << " and is clamped to " << kept;
     warn(message.str());
     return kept;
 }
@@ -63,7 +63,7 @@ bool asks_for_refraction(int illum) {
 
 vec3 diffuse_of(const tinyobj::material_t& source, const std::string& where) {
     if (source.diffuse[0] != unset) return clamped(source.diffuse, 1, where, "Kd");
-    if (!source.diffuse_texname.empty()) return vec3(1.0f); // the texture alone is the colour
+    if (!source.diffuse_texname.empty()) return vec3(1.0f); // the texture alone gives the colour
     const bool shines = source.emission[0] > 0 || source.emission[1] > 0 || source.emission[2] > 0;
     return shines ? vec3(0.0f) : ObjMaterial{}.diffuse;
 }
@@ -81,7 +81,7 @@ void warn(const std::string& message) {
     print_error_line("warning: " + message);
 }
 
-/// The files of an mtllib line.
+/// Returns the existing files of an mtllib line.
 std::vector<fs::path> MaterialLibraries::find(const std::string& names) const {
     const std::vector<fs::path> folders{fs::path(obj_path).parent_path()};
     const NamesOfLine line = names_of_line(names);
@@ -111,12 +111,11 @@ bool MaterialLibraries::operator()(const std::string& names, std::vector<tinyobj
         tinyobj::LoadMtl(numbers, materials, &stream, warnings, errors);
         files.resize(materials->size(), file);
     }
-    return true; // tinyobjloader need not look for it once more
+    return true; // tinyobjloader need not search for it again
 }
 
-/// What `known` says of the picture that `mtl` calls `name`, else what `read` makes of its file. If that is
-/// not there, or cannot be read from any place where it is, what `substitute` makes, with a warning that
-/// says `instead`.
+/// Returns the index of the image that `mtl` calls `name`: from `known`, or else by read(file). If no file
+/// exists or none can be read, returns substitute() and warns; the warning contains `instead`.
 int TextureLoader::find_or_read(Known& known, const fs::path& mtl, const std::string& name, const Read& read,
                                 const std::string& instead, const std::function<int()>& substitute) {
     const std::string missing = "missing " + name;
@@ -141,7 +140,7 @@ int TextureLoader::find_or_read(Known& known, const fs::path& mtl, const std::st
 Bitmap TextureLoader::read_picture(const std::string& file) {
     Bitmap bitmap = read_bitmap(file, pixels_left);
     pixels_left -= std::int64_t(bitmap.width) * bitmap.height;
-    if (!bitmap.flaw.empty()) warn(file + ": " + bitmap.flaw + " and is drawn as far as it can be read");
+    if (!bitmap.flaw.empty()) warn(file + ": " + bitmap.flaw + " and is used as far as it can be read");
     return bitmap;
 }
 
@@ -161,7 +160,7 @@ int TextureLoader::add_mask(const Bitmap& bitmap) {
 int TextureLoader::load(const fs::path& mtl, const std::string& name) {
     return find_or_read(
         known_textures, mtl, name, [&](const std::string& file) { return add_texture(read_picture(file)); },
-        "a magenta checker takes its place", [&] { return add_texture(checker()); });
+        "a magenta checker replaces it", [&] { return add_texture(checker()); });
 }
 
 int TextureLoader::load_mask(const fs::path& mtl, const std::string& name) {

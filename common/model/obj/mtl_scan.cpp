@@ -1,6 +1,6 @@
-// The text of an .mtl file, checked and reduced to the lines we use, in the one form that tinyobjloader reads
-// rightly: it takes "nan" for 0, a grey "Kd .5" for dark red, and the third number of "-s 2 2 wood.png" for
-// the name.
+// Checks an .mtl file and reduces it to the lines we use, in the form that tinyobjloader reads correctly.
+// On its own, tinyobjloader reads "nan" as 0, a grey "Kd .5" as dark red, and the third number of "-s 2 2
+// wood.png" as part of the file name.
 #include "common/model/obj/material.h"
 
 #include "common/util/error.h"
@@ -16,7 +16,7 @@
 namespace rt {
 namespace {
 
-/// The words of a line, and where each begins.
+/// The words of a line, as views into it.
 struct Words {
     std::string line;
     std::vector<std::string_view> words;
@@ -32,11 +32,11 @@ struct Words {
     Words(const Words&) = delete;
     Words& operator=(const Words&) = delete;
 
-    /// From word `first` to the end, spaces and all.
+    /// Returns the line from word `first` to the end, including spaces.
     std::string from(std::size_t first) const {
         return first < words.size() ? line.substr(std::size_t(words[first].data() - line.data())) : "";
     }
-    /// How many words there are after the first, up to a comment.
+    /// Returns the number of words after the first, up to a comment.
     std::size_t arguments() const {
         std::size_t count = 0;
         while (count + 1 < words.size() && words[count + 1][0] != '#') ++count;
@@ -44,7 +44,7 @@ struct Words {
     }
 };
 
-/// Lines that are skipped, for one warning.
+/// Skipped lines of one kind, reported by one warning.
 struct Skipped {
     int count = 0;
     int first_line = 0;
@@ -79,9 +79,9 @@ class MtlScanner {
     std::string path;
     std::istringstream stream;
     int line = 0;
-    std::string material; ///< the one whose lines these are, empty before the first
+    std::string material; ///< name of the current material, empty before the first one
     Skipped homeless, unknown, unnamed;
-    std::map<std::string, Skipped> options; ///< of textures
+    std::map<std::string, Skipped> options; ///< of textures, by name
     Unfollowed unfollowed;
 };
 
@@ -105,11 +105,11 @@ void MtlScanner::tell() const {
         const std::string count = lines.count > 1 ? " (" + std::to_string(lines.count) + " such lines)" : "";
         if (lines.count > 0) warn(at_line(path, lines.first_line, what + count));
     };
-    say(homeless, in_quotes(homeless.first_word) + " is skipped, since no newmtl stands before it");
+    say(homeless, in_quotes(homeless.first_word) + " is skipped, since no newmtl precedes it");
     say(unnamed, in_quotes(unnamed.first_word) + " names no file and is skipped");
-    say(unknown, in_quotes(unknown.first_word) + " is no word that is known here, and is skipped");
+    say(unknown, in_quotes(unknown.first_word) + " is not a known statement and is skipped");
     for (const auto& [option, lines] : options)
-        say(lines, "the texture's option " + option + " is not followed");
+        say(lines, "the texture option " + option + " is not supported");
     unfollowed.tell();
 }
 
@@ -126,15 +126,15 @@ std::string MtlScanner::rewritten(const Words& words) {
     return "";
 }
 
-constexpr const char* no_bumps = "bump and normal maps are not followed";
-constexpr const char* no_displacement = "displacement maps are not followed";
-constexpr const char* no_glow = "maps of emission (map_Ke) are not followed";
-constexpr const char* no_shine = "maps of highlights, roughness and metal are not followed";
-constexpr const char* no_reflections = "reflection maps are not followed";
+constexpr const char* no_bumps = "bump and normal maps are not supported";
+constexpr const char* no_displacement = "displacement maps are not supported";
+constexpr const char* no_glow = "emission maps (map_Ke) are not supported";
+constexpr const char* no_shine = "maps of highlights, roughness and metal are not supported";
+constexpr const char* no_reflections = "reflection maps are not supported";
 constexpr const char* no_layers =
-    "roughness, sheen, coat and anisotropy (Pr, Ps, Pc, aniso) are not followed";
+    "roughness, sheen, coat and anisotropy (Pr, Ps, Pc, aniso) are not supported";
 
-/// What changes a picture and is not followed, by the word in small letters.
+/// Statements that would change an image but are not supported, by keyword in lower case.
 const std::map<std::string_view, const char*> not_followed{
     {"bump", no_bumps},          {"map_bump", no_bumps},    {"norm", no_bumps},
     {"map_kn", no_bumps},        {"disp", no_displacement}, {"map_disp", no_displacement},
@@ -143,11 +143,11 @@ const std::map<std::string_view, const char*> not_followed{
     {"map_rma", no_shine},       {"map_orm", no_shine},     {"refl", no_reflections},
     {"map_refl", no_reflections}};
 const std::set<std::string_view> layers{"pr", "ps", "pc", "pcr", "aniso", "anisor"};
-/// What is left out as a matter of course.
+/// Keywords that are ignored without a warning.
 const std::set<std::string_view> silent{"ka",     "ns",        "tf",      "map_ka",
                                         "map_tf", "sharpness", "map_aat", "decal"};
 
-/// Notes a line that is not followed, by its kind.
+/// Records a statement that is not supported, by kind.
 void MtlScanner::unused(const Words& words) {
     std::string keyword(words.words[0]);
     std::transform(keyword.begin(), keyword.end(), keyword.begin(),
@@ -156,7 +156,7 @@ void MtlScanner::unused(const Words& words) {
         unfollowed.add(path, kind->second, material);
     else if (layers.count(keyword) > 0) {
         if (words.arguments() > 0 && words.words[1].find_first_of("123456789") != std::string_view::npos)
-            unfollowed.add(path, no_layers, material); // 0 asks for nothing
+            unfollowed.add(path, no_layers, material); // 0 has no effect
     } else if (silent.count(keyword) == 0)
         unknown.add(line, words.words[0]);
 }
@@ -167,17 +167,18 @@ std::string MtlScanner::number(std::string_view word) const {
     return " " + std::string(word);
 }
 
-/// As RGB, CIE XYZ, or a spectrum, which stands in a file of its own.
+/// Returns a colour statement as RGB. The file states RGB, CIE XYZ, or a spectrum, which is in a separate
+/// file and not supported.
 std::string MtlScanner::colour(const Words& words) {
     const std::string_view kind = words.words.size() > 1 ? words.words[1] : "";
     const std::string keyword(words.words[0]);
     if (kind == "xyz") return keyword + colour_of_xyz(words) + "\n";
     if (kind != "spectral") return keyword + three_numbers(words, 1) + "\n";
-    unfollowed.add(path, keyword + " as a spectrum is not followed", material);
+    unfollowed.add(path, keyword + " as a spectrum is not supported", material);
     return "";
 }
 
-/// From word `first`: three numbers, or one that stands for all.
+/// Returns three numbers from word `first` on; a single number stands for all three.
 std::string MtlScanner::three_numbers(const Words& words, std::size_t first) const {
     const std::size_t count = words.arguments() + 1 - first;
     if (count != 1 && count < 3) fail(std::string(words.words[0]) + " needs three numbers");
@@ -186,7 +187,7 @@ std::string MtlScanner::three_numbers(const Words& words, std::size_t first) con
     return out;
 }
 
-/// "xyz" and three numbers as linear RGB (IEC 61966-2-1); what no screen shows is cut off at 0.
+/// Converts "xyz" and three numbers to linear RGB (IEC 61966-2-1); colours out of gamut are clamped at 0.
 std::string MtlScanner::colour_of_xyz(const Words& words) const {
     float x = 0, y = 0, z = 0;
     std::istringstream(three_numbers(words, 2)) >> x >> y >> z;
@@ -198,7 +199,7 @@ std::string MtlScanner::colour_of_xyz(const Words& words) const {
     return out.str();
 }
 
-/// Ks matters to few materials: what is wrong with it is no reason to refuse a model.
+/// Returns a Ks statement. Few materials use Ks, so an error in it is no reason to reject the model.
 std::string MtlScanner::highlight(const Words& words) {
     try {
         return "Ks" + three_numbers(words, 1) + "\n";
@@ -225,9 +226,9 @@ std::string MtlScanner::new_material(const Words& words) {
 
 const std::set<std::string_view> settings{"-blendu", "-blendv", "-cc",      "-clamp", "-boost",
                                           "-bm",     "-texres", "-imfchan", "-type",  "-colorspace"};
-const std::set<std::string_view> transforms{"-o", "-s", "-t", "-mm"}; // up to three numbers each
+const std::set<std::string_view> transforms{"-o", "-s", "-t", "-mm"}; // take up to three numbers each
 
-/// How many words the option of a texture at word `at` takes, 0 if none stands there.
+/// Returns how many words the texture option at word `at` takes, or 0 if there is none.
 std::size_t option_length(const Words& words, std::size_t at) {
     if (at >= words.words.size()) return 0;
     if (settings.count(words.words[at]) > 0) return 2;
@@ -238,14 +239,14 @@ std::size_t option_length(const Words& words, std::size_t at) {
     return length;
 }
 
-/// `text` with `to` in the place of each `from`.
+/// Returns `text` with each `from` replaced by `to`.
 std::string replaced(std::string text, std::string_view from, std::string_view to) {
     for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
         text.replace(at, from.size(), to);
     return text;
 }
 
-/// The name of the file alone: the options before it are not followed, and some of them would be seen.
+/// Returns a texture statement without options: we support none of them, and tinyobjloader would apply some.
 std::string MtlScanner::texture(const Words& words, const char* keyword) {
     std::size_t at = 1;
     while (const std::size_t length = option_length(words, at)) {
@@ -258,7 +259,7 @@ std::string MtlScanner::texture(const Words& words, const char* keyword) {
         unnamed.add(line, words.words[0]);
         return "";
     }
-    // "my\ wall.png" escapes a space, "art\wall.png" is a path of Windows.
+    // In "my\ wall.png" the backslash escapes a space; "art\wall.png" is a Windows path.
     return keyword + (" " + replaced(replaced(name, "\\ ", " "), "\\", "/")) + "\n";
 }
 

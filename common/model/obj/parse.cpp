@@ -1,5 +1,6 @@
-// A chunk of an OBJ file's text as numbers. Whatever a lenient reader would have to guess at is an error here
-// that names its line; what costs nothing to skip is counted instead.
+// Parses a chunk of OBJ text.
+// What a lenient reader would have to guess at is an error here, with its line number. Defects that can be
+// skipped without harm are counted instead.
 #include "common/model/obj/parse.h"
 
 #include "common/util/text.h"
@@ -15,13 +16,13 @@
 namespace rt {
 namespace {
 
-constexpr std::array<const char*, 3> names{"position", "texture coordinate", "normal"}; // by kind
+constexpr std::array<const char*, 3> names{"position", "texture coordinate", "normal"}; // by IndexKind
 constexpr float not_finite = std::numeric_limits<float>::quiet_NaN();
 
-/// The numbers of a line.
+/// How many numbers a line may have.
 struct Wanted {
     int least, most;
-    bool or_nan; ///< numbers that are not finite are no fault
+    bool or_nan; ///< numbers that are not finite are read as NaN instead of being errors
 };
 
 char* skip_blanks(char* at, const char* end) {
@@ -43,7 +44,7 @@ char* line_end(char* begin, char* text_end) {
     return found ? static_cast<char*>(found) : text_end;
 }
 
-/// What `end` points to, here and below, is a '\n' or the text's last '\0'.
+/// Parses one chunk. Here and below, `end` points to a '\n' or to the text's final '\0'.
 class Parser {
   public:
     Parser(std::string& text_, bool begins_file_) : text(text_), begins_file(begins_file_) {}
@@ -72,8 +73,8 @@ class Parser {
 
     std::string& text;
     const bool begins_file;
-    int line = 1;          ///< where the line that is being read begins
-    int further_lines = 0; ///< that a '\' at its end joined to it
+    int line = 1;          ///< number of the current line, from 1
+    int further_lines = 0; ///< lines joined to the current one by a trailing '\'
     ParsedChunk chunk;
 };
 
@@ -84,7 +85,7 @@ ParsedChunk Parser::run() {
         chunk.fault = std::move(fault);
     }
     chunk.lines = line - 1;
-    return chunk; // a copy, whose arrays have no room to spare: all chunks are kept until the last one is read
+    return chunk; // a copy, without unused capacity: all chunks are kept until the last is read
 }
 
 void Parser::read_lines() {
@@ -98,7 +99,7 @@ void Parser::read_lines() {
     }
 }
 
-/// A '\' at the end of a line that is no comment joins the next one to it. Returns the new end.
+/// Joins the next line where a line other than a comment ends in '\'. Returns the new end.
 char* Parser::join_continued(char* begin, char* end) {
     char* const text_end = text.data() + text.size();
     const bool comment = *skip_blanks(begin, end) == '#';
@@ -108,7 +109,7 @@ char* Parser::join_continued(char* begin, char* end) {
         if (last == begin || last[-1] != '\\') break;
         std::fill(last - 1, end + 1, ' ');
         ++further_lines;
-        begin = end + 1; // only a '\' of the line that was joined last joins another one
+        begin = end + 1; // only a '\' of the line joined last can join another
         end = line_end(begin, text_end);
     }
     return end;
@@ -137,8 +138,8 @@ void Parser::read_line(char* begin, char* end) {
         check_ignored(word, rest);
 }
 
-/// Reads up to `wanted.most` numbers and returns how many there are. One that is not finite is a fault or, if
-/// allowed, NaN.
+/// Reads up to `wanted.most` numbers and returns their count. A number that is not finite is an
+/// error or, if allowed, NaN.
 int Parser::read_numbers(char*& at, char* end, const Wanted& wanted, std::array<double, 3>& numbers) {
     int count = 0;
     for (; count < wanted.most; ++count) {
@@ -169,7 +170,8 @@ void Parser::read_position(char* at, char* end) {
     if (at < end && *at != '#') read_color(at, end);
 }
 
-/// Three more numbers are a colour; one alone is a weight, and no other words have a meaning.
+/// Reads what follows a position: three more numbers are a colour. A single one is a weight, and other words
+/// have no meaning; both are ignored.
 void Parser::read_color(const char* at, const char* end) {
     std::array<double, 3> color{};
     for (double& value : color) {
@@ -199,13 +201,13 @@ void Parser::read_normal(char* at, char* end) {
     if (!finite) chunk.skipped.normals.add(line);
 }
 
-/// ZBrush's comments: up to 64 colours per line, in the order of the positions, as MMRRGGBB in hexadecimal.
-/// MM is a mask.
+/// Reads a ZBrush comment: up to 64 colours per line, in the order of the positions, as MMRRGGBB in
+/// hexadecimal. MM is a mask.
 void Parser::read_painted(char* at, char* end) {
     at = skip_blanks(at, end);
     for (std::array<unsigned char, 8> digits{}; end - at >= 8; at += 8) {
         for (std::size_t i = 0; i < 8; ++i) {
-            const char c = char(at[i] | ' '); // in lower case
+            const char c = char(at[i] | ' '); // to lower case
             if (!is_digit(c) && (c < 'a' || c > 'f')) return;
             digits[i] = static_cast<unsigned char>(is_digit(c) ? c - '0' : c - 'a' + 10);
         }
@@ -228,15 +230,16 @@ void Parser::read_face(char* at, char* end) {
         runs.push_back({face, line});
 }
 
-/// One to nine digits; 0 for anything else.
+/// Reads an index of one to nine digits; returns 0 for anything else.
 int plain_index(char*& at) {
     const char* const begin = at;
-    unsigned value = 0; // may wrap round, and counts for nothing then
+    unsigned value = 0; // may overflow, but is not used then
     for (; is_digit(*at); ++at) value = value * 10 + unsigned(*at - '0');
     return at - begin <= 9 ? int(value) : 0;
 }
 
-/// Behind a corner in its usual spelling; null, and nothing noted, for any other word.
+/// Reads a face vertex in its usual spelling and returns the position after it. Returns null, and records
+/// nothing, for any other word.
 char* Parser::read_plain_corner(char* at, const char* end) {
     std::array<int, 3> number{plain_index(at), 0, 0};
     if (number[IndexKind::position] == 0) return nullptr;
@@ -252,7 +255,7 @@ char* Parser::read_plain_corner(char* at, const char* end) {
     return at;
 }
 
-/// v, v/vt, v//vn or v/vt/vn, perhaps with a '/' and nothing behind it, as some programs write it.
+/// Reads a face vertex: v, v/vt, v//vn or v/vt/vn, possibly with a trailing '/', as some programs write it.
 char* Parser::read_corner(char* at, char* end) {
     char* const stop = word_end(at, end);
     char* last = stop;
@@ -288,7 +291,7 @@ char* Parser::read_index(IndexKind::Kind kind, char* at, char* end, int& index) 
     return at;
 }
 
-/// From a number of the text to an index: 0, which stands for none, becomes -1.
+/// Converts a number of the file to an index: 0, which means none, becomes -1.
 int Parser::index_of(IndexKind::Kind kind, int number) {
     if (number > chunk.largest[kind]) {
         chunk.largest[kind] = number;
@@ -297,7 +300,7 @@ int Parser::index_of(IndexKind::Kind kind, int number) {
     return number - 1;
 }
 
-/// The index that is `number` before the end so far, without what stands in the chunks before this one.
+/// Returns the index that is `number` before the current end, relative to the beginning of this chunk.
 int Parser::index_back(IndexKind::Kind kind, int number, std::string_view word) {
     const auto so_far = std::array{chunk.positions.size(), chunk.uvs.size(), chunk.normals.size()};
     const int count = int(so_far[kind]), missing = number - count;
@@ -308,7 +311,7 @@ int Parser::index_back(IndexKind::Kind kind, int number, std::string_view word) 
     return count - number;
 }
 
-/// Names may hold spaces, which some programs write as "\ ", and other systems' paths '\' for '/'.
+/// Reads a name. It may contain spaces, which some programs write as "\ "; library paths may use '\' for '/'.
 void Parser::read_name(char* at, char* end, bool library) {
     at = skip_blanks(at, end);
     while (end > at && is_blank(end[-1])) --end;
@@ -328,7 +331,7 @@ void Parser::read_name(char* at, char* end, bool library) {
         chunk.material_lines.push_back({chunk.face_sizes.size(), library, std::move(name)});
 }
 
-/// s off, s 0, s 1 ...; what is neither changes nothing.
+/// Reads a smoothing statement: s off, s 0, s 1 ... Any other word is ignored.
 void Parser::read_smoothing(char* at, char* end) {
     at = skip_blanks(at, end);
     char* const stop = word_end(at, end);
@@ -339,8 +342,8 @@ void Parser::read_smoothing(char* at, char* end) {
     chunk.smoothing_lines.push_back({chunk.face_sizes.size(), group});
 }
 
-/// Groups, objects, lines, points, curves and what other programs add. A word of control characters is none
-/// of these.
+/// Checks an ignored keyword: groups, objects, lines, points, curves, and extensions of other programs. A
+/// keyword with control characters means that the file is not text.
 void Parser::check_ignored(const char* begin, const char* keyword_end) const {
     const auto is_control = [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; };
     const bool end_of_dos_file = *begin == '\x1a' && (line > 1 || !begins_file);

@@ -1,4 +1,4 @@
-// A chunk of an OBJ file's text as numbers: every line is checked and read, independently of other chunks.
+// Parses a chunk of OBJ text: every line is checked and read, independently of other chunks.
 #pragma once
 
 #include "common/model/obj_file.h"
@@ -12,22 +12,22 @@
 
 namespace rt {
 
-/// What faces name by number.
+/// The kinds of elements that a face refers to by index.
 struct IndexKind {
     enum Kind { position, uv, normal };
 };
 
 struct ParseError {
-    int line; ///< in its chunk, from 1
+    int line; ///< line in the chunk, from 1
     std::string message;
 };
 
-/// A negative position number that reaches back beyond the chunk that it stands in.
+/// A negative position index that reaches back beyond its own chunk.
 struct RelativeIndex {
-    int missing;        ///< at least this many positions must stand in earlier chunks
-    int count;          ///< this many stand before it in its own
-    int line;           ///< in its chunk, from 1
-    std::string number; ///< as written
+    int missing;        ///< positions that earlier chunks must contain at least
+    int count;          ///< positions before it in its own chunk
+    int line;           ///< line in the chunk, from 1
+    std::string number; ///< as written in the file
 };
 
 /// A usemtl or mtllib line.
@@ -43,16 +43,16 @@ struct SmoothingLine {
     int group;        ///< 0: off
 };
 
-/// From face number `face` of the chunk on, faces stand on consecutive lines, the first of them on `line`.
+/// From face number `face` of the chunk on, faces are on consecutive lines; the first is on `line`.
 struct FaceLines {
     std::size_t face;
     int line;
 };
 
-/// Lines, or corners of faces, that are read only in part.
+/// Lines, or face vertices, that are read only in part.
 struct Skipped {
     std::size_t count = 0;
-    int line = 0; ///< of the first
+    int line = 0; ///< of the first one
 
     void add(int line_, std::size_t count_ = 1) {
         line = count == 0 ? line_ : std::min(line, line_);
@@ -63,40 +63,40 @@ struct Skipped {
 struct SkippedLines {
     Skipped normals, uvs;               ///< vn and vt with numbers that are not finite
     Skipped materials, libraries;       ///< usemtl and mtllib without a name
-    Skipped normal_corners, uv_corners; ///< that name a normal or uv that is not there
+    Skipped normal_corners, uv_corners; ///< with an index of a normal or uv that does not exist
 };
 
-/// What stands in a chunk. An index that a negative number stands for lacks the positions, uvs and normals of
-/// the chunks before this one: `relative` lists these corners, one list per kind.
+/// The content of a chunk. Negative indices do not count the positions, uvs and normals of earlier chunks
+/// yet: `relative` lists the face vertices with such indices, one list per kind.
 struct ParsedChunk {
     std::vector<dvec3> positions;
-    std::vector<vec3> normals; ///< NaN where the file gives no finite one
+    std::vector<vec3> normals; ///< NaN where the file's normal is not finite
     std::vector<vec2> uvs;     ///< NaN likewise
-    std::vector<vec3>
-        colors; ///< sRGB as written, per position; `no_color` for none; short or empty at the end
+    /// sRGB as in the file, per position; `no_color` for none; may be short or empty.
+    std::vector<vec3> colors;
     std::vector<vec3> painted;             ///< sRGB of #MRGB lines, in [0, 1]
-    std::vector<ObjIndex> corners;         ///< of all faces
-    std::vector<std::uint32_t> face_sizes; ///< corners of each face
+    std::vector<ObjIndex> corners;         ///< of all faces, in order
+    std::vector<std::uint32_t> face_sizes; ///< number of vertices of each face
     std::array<std::vector<std::size_t>, 3> relative;
     std::vector<FaceLines> face_lines;
     std::vector<MaterialLine> material_lines;
     std::vector<SmoothingLine> smoothing_lines;
-    std::map<std::string, int> materials; ///< each name after usemtl, and the line of its first use
-    bool names_library = false;           ///< there is a mtllib line
+    std::map<std::string, int> materials; ///< each usemtl name, with the line of its first use
+    bool names_library = false;           ///< the chunk has an mtllib line
     SkippedLines skipped;
-    std::array<int, 3> largest{};                ///< number of each kind that a face names
-    int largest_position_line = 0;               ///< of its first use
-    std::vector<RelativeIndex> relative_indices; ///< in the text's order; each misses more than the last
+    std::array<int, 3> largest{};                ///< largest index of each kind in a face
+    int largest_position_line = 0;               ///< line of its first use
+    std::vector<RelativeIndex> relative_indices; ///< in file order, with increasing `missing`
     int lines = 0;
-    std::optional<ParseError> fault; ///< the text is read up to here
+    std::optional<ParseError> fault; ///< parsing stopped here
 };
 
 inline constexpr vec3 no_color{-1.0f};
 
-/// Reads whole lines of a text without '\r', in which joined lines are written over.
+/// Parses whole lines of a text without '\r'. It overwrites line ends where lines are joined.
 ParsedChunk parse_chunk(std::string& text, bool begins_file);
 
-/// The line in the chunk, from 1, of the face with corner number `corner` of all.
+/// Returns the line in the chunk, from 1, of the face that contains face vertex `corner`.
 int line_of_corner(const ParsedChunk& chunk, std::size_t corner);
 
 } // namespace rt

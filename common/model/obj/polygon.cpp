@@ -1,6 +1,6 @@
-// A polygon cut into triangles by clipping ears (Meisters, American Mathematical Monthly, 1975).
-// tinyobjloader's own cut depends on where the origin lies and cuts concave quads along the wrong diagonal,
-// so it is not used.
+// Triangulates a polygon by clipping ears (Meisters, American Mathematical Monthly, 1975).
+// We do not use tinyobjloader's triangulation: it depends on where the origin is and splits concave quads
+// along the wrong diagonal.
 #include "common/model/obj/polygon.h"
 
 #include <algorithm>
@@ -16,21 +16,21 @@ namespace {
 
 using glm::dvec2;
 
-/// Twice the signed area of the triangle a, b, c: positive if it turns counter-clockwise.
+/// Returns twice the signed area of the triangle a, b, c: positive if it is counter-clockwise.
 double turn(dvec2 a, dvec2 b, dvec2 c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// Newell's normal: its length is twice the area, whatever the shape.
+/// Returns Newell's normal, whose length is twice the area, for a polygon of any shape.
 dvec3 newell_normal(const std::vector<vec3>& corners) {
-    const dvec3 origin(corners.front()); // differences keep their digits far from the origin
+    const dvec3 origin(corners.front()); // keeps precision far from the origin
     dvec3 normal(0.0);
     for (std::size_t i = 0; i < corners.size(); ++i)
         normal += cross(dvec3(corners[i]) - origin, dvec3(corners[(i + 1) % corners.size()]) - origin);
     return normal;
 }
 
-/// Seen from the tip of its normal, along the axis that shows it largest: counter-clockwise in the plane.
+/// Projects the polygon along the major axis of its normal; the result is counter-clockwise.
 std::vector<dvec2> flattened(const std::vector<vec3>& corners) {
     const dvec3 normal = newell_normal(corners);
     int axis = 0;
@@ -44,21 +44,22 @@ std::vector<dvec2> flattened(const std::vector<vec3>& corners) {
     return flat;
 }
 
-/// Points of the plane, halved again and again along the longer side of their box (a k-d tree, Bentley 1975).
+/// A k-d tree (Bentley 1975) of points in the plane, each node split in half along the
+/// longer side of its box.
 class PointTree {
   public:
     PointTree(const std::vector<dvec2>& flat_, std::vector<int> points_);
 
     void remove(int point);
-    /// Whether `test` is true of any point that may lie in the triangle.
+    /// Returns whether `test` is true for any point that may be in the triangle.
     template <typename Test>
     bool any_near(const std::array<dvec2, 3>& triangle, const Test& test, std::size_t node = 1) const;
 
   private:
     struct Node {
         dvec2 low, high;
-        std::size_t begin, end; ///< of its part of `points`
-        std::size_t left;       ///< points that are not removed
+        std::size_t begin, end; ///< range in `points`
+        std::size_t left;       ///< number of points not removed
     };
     static constexpr std::size_t leaf_size = 8;
 
@@ -67,8 +68,8 @@ class PointTree {
 
     const std::vector<dvec2>& flat;
     std::vector<int> points;
-    std::vector<std::size_t> places; ///< in `points`, by point
-    std::vector<Node> nodes;         ///< the halves of node n are 2 n and 2 n + 1
+    std::vector<std::size_t> places; ///< index in `points` of each point
+    std::vector<Node> nodes;         ///< the children of node n are 2 n and 2 n + 1
 };
 
 PointTree::PointTree(const std::vector<dvec2>& flat_, std::vector<int> points_)
@@ -100,7 +101,7 @@ void PointTree::remove(int point) {
     }
 }
 
-/// Whether the box lies on the outer side of one of the triangle's edges, or the triangle beside the box.
+/// Returns whether the box is outside one of the triangle's edges, or the triangle is outside the box.
 bool PointTree::is_apart(const Node& node, const std::array<dvec2, 3>& triangle) const {
     const auto& [a, b, c] = triangle;
     if (any(lessThan(max(max(a, b), c), node.low)) || any(greaterThan(min(min(a, b), c), node.high)))
@@ -124,7 +125,7 @@ bool PointTree::any_near(const std::array<dvec2, 3>& triangle, const Test& test,
                        test);
 }
 
-/// What is left of a polygon while its ears are clipped.
+/// The remaining polygon while its ears are clipped.
 class Ring {
   public:
     explicit Ring(const std::vector<dvec2>& flat_);
@@ -148,7 +149,7 @@ class Ring {
     const std::vector<dvec2>& flat;
     int count;
     std::vector<Corner> corners;
-    PointTree tree; ///< of the corners that do not turn left
+    PointTree tree; ///< the vertices that do not turn left
 };
 
 std::vector<int> not_left(const std::vector<dvec2>& flat) {
@@ -165,8 +166,8 @@ Ring::Ring(const std::vector<dvec2>& flat_)
     for (const int i : not_left(flat)) corners[std::size_t(i)].in_tree = true;
 }
 
-/// A corner is an ear if it turns left and nothing of the polygon reaches into its triangle. Only a corner
-/// that does not turn left can be the first to do so.
+/// Returns whether a vertex is an ear: it turns left, and no other vertex is inside its triangle. It is
+/// enough to test vertices that do not turn left, since one of them would be the first to enter the triangle.
 bool Ring::is_ear(int tip) const {
     if (!turns_left(tip)) return false;
     const dvec2 a = point(before(tip)), b = point(tip), c = point(behind(tip));
@@ -192,16 +193,16 @@ void Ring::clip(int tip) {
     if (turns_left(c)) leave_tree(c);
 }
 
-/// Clips one ear after another, going round, since going back to the first makes longer triangles. A corner
-/// that is no ear can become one only when a neighbour is clipped, so each is looked at a few times in all.
-/// That does not hold for polygons that touch or cross themselves: these get a few more rounds, and then lose
-/// any corner.
+/// Clips ears around the polygon, since always restarting at the first vertex makes longer triangles. A
+/// vertex can become an ear only when a neighbour is clipped, so each is tested a few times in all. This does
+/// not hold for polygons that touch or cross themselves: they get further rounds, at most 64 in all, and then
+/// lose an arbitrary vertex at each step.
 std::vector<std::array<int, 3>> clip_ears(const std::vector<dvec2>& flat) {
     Ring ring(flat);
     std::vector<std::array<int, 3>> triangles;
     std::set<int> candidates;
     int at = 1;
-    bool any_clipped = true; // since the last round began
+    bool any_clipped = true; // since the current round began
     for (int rounds_left = 64; ring.size() > 3;) {
         if (candidates.empty() && any_clipped && rounds_left-- > 0) {
             for (int i = 0; i < ring.size(); ++i, at = ring.behind(at)) candidates.insert(at);
@@ -220,13 +221,12 @@ std::vector<std::array<int, 3>> clip_ears(const std::vector<dvec2>& flat) {
         at = ring.behind(at);
         any_clipped = true;
     }
-    while (ring.before(at) > std::min(at, ring.behind(at)))
-        at = ring.behind(at); // the first corner comes first
+    while (ring.before(at) > std::min(at, ring.behind(at))) at = ring.behind(at); // start at the lowest index
     triangles.push_back(ring.triangle(at));
     return triangles;
 }
 
-/// A quad along its shorter diagonal, if that lies inside.
+/// Splits a quad along its shorter diagonal, if that is inside.
 std::vector<std::array<int, 3>> cut_quad(const std::vector<vec3>& corners, const std::vector<dvec2>& flat) {
     const auto half = [&](std::size_t i, std::size_t j, std::size_t k) {
         return turn(flat[i], flat[j], flat[k]);

@@ -1,4 +1,4 @@
-// A polygon cut into triangles, also where it is not convex.
+// Triangulates polygons, including concave ones.
 #pragma once
 
 #include "common/math/vec.h"
@@ -8,9 +8,9 @@
 
 namespace rt {
 
-/// Cuts a simple polygon of n >= 3 corners in space into n - 2 triangles of the same sense of rotation, each
-/// three positions in `corners`. One that crosses itself, or has no area, is cut somehow. Takes about n log n
-/// time, and 64 times that where it crosses itself.
+/// Triangulates a simple polygon of n >= 3 vertices in space: n - 2 triangles of the same orientation, each
+/// as three indices into `corners`. A polygon that crosses itself or has no area gets some triangulation.
+/// Takes about n log n time, and up to 64 times as long for a polygon that crosses itself.
 std::vector<std::array<int, 3>> triangulate(const std::vector<vec3>& corners);
 
 } // namespace rt

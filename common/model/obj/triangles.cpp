@@ -1,6 +1,6 @@
-// Faces as triangles. A face whose corners' normals point to its other side was mirrored or written by a
-// program with another idea of the outside: normals are what its author has seen, so the corners' order
-// follows them.
+// Triangulates faces and flips those that wind against their normals.
+// Such a face was mirrored, or written by a program with another winding convention. The normals are what the
+// author saw on screen, so the order of the vertices follows them.
 #include "common/model/obj/triangles.h"
 
 #include "common/model/obj/polygon.h"
@@ -11,9 +11,9 @@
 namespace rt {
 namespace {
 
-constexpr float least_contradiction = 0.05f; // the cosine; smoothed normals of thin parts may lie in the face
+constexpr float least_contradiction = 0.05f; // cosine; smoothed normals of thin parts may lie in the face
 
-/// Twice the area, along the normal. T is vec3 or dvec3.
+/// Returns the vector along the normal whose length is twice the area. T is vec3 or dvec3.
 template <typename T>
 T area_vector(const ObjModel& file, const std::array<ObjIndex, 3>& triangle) {
     const T a(file.positions[std::size_t(triangle[0].position)]);
@@ -21,8 +21,8 @@ T area_vector(const ObjModel& file, const std::array<ObjIndex, 3>& triangle) {
                  T(file.positions[std::size_t(triangle[2].position)]) - a);
 }
 
-/// Floats tell of most triangles that they have an area. Where their squares are too small or too large, a
-/// height of 2^-22 of the longer side is what rounding leaves.
+/// Returns whether a triangle has an area. Float precision decides for most triangles. Where squares
+/// underflow or overflow, double decides; a height of 2^-22 of the longest side counts as rounding error.
 bool has_area(const ObjModel& file, const std::array<ObjIndex, 3>& triangle) {
     const vec3 area = area_vector<vec3>(file, triangle);
     const float square = dot(area, area);
@@ -63,7 +63,8 @@ void Triangles::add_face(std::span<const ObjIndex> corners, const FaceTraits& tr
     against.push_back({begin, file.triangles.size()});
 }
 
-/// Judged for a face as a whole, so that its triangles stay on one side. `begin`: its first triangle.
+/// Returns whether a face winds against its normals. `begin` is its first triangle. The face is judged as a
+/// whole, so that its triangles stay on one side.
 bool Triangles::winds_against(std::span<const ObjIndex> corners, std::size_t begin) const {
     vec3 sum(0), area(0);
     for (const ObjIndex& corner : corners) {
@@ -88,8 +89,9 @@ TriangleKey Triangles::key(const ObjIndex& a, const ObjIndex& b, const ObjIndex&
     return key;
 }
 
-/// Any cut of a polygon has triangles of three corners in a row: one of the front with the corners of one of
-/// the back tells that the two belong together.
+/// Marks faces that are the back of another face with the same vertices. Every triangulation of a polygon
+/// contains triangles of three consecutive vertices, so one such triangle of the front that equals three
+/// consecutive vertices of the back shows that the two belong together.
 void Triangles::find_backs() {
     std::ranges::sort(keys);
     auto next = against.begin();

@@ -1,4 +1,4 @@
-// What material files ask for and is not done: told once per kind.
+// Collects unsupported features of material files and warns once per kind.
 #include "common/model/obj/unfollowed.h"
 
 #include "common/model/obj/material.h"

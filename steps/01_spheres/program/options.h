@@ -1,4 +1,4 @@
-// The options that the programs of all steps have: where the camera is, and what to show.
+// The options of every step's program: the camera and the view.
 #pragma once
 
 #include "01_spheres/camera.h"
@@ -10,26 +10,26 @@ namespace rt {
 
 /// Declares --view.
 inline Choice<DebugView> view_option(Options& options) {
-    return options.choice(
-        "view", {"light", "normal", "depth", "uv", "material", "hits", "work"}, DebugView::radiance,
-        "what to show: the light itself, or what the ray hits (its normal, how far it is, "
-        "where on the surface, which material, through how many surfaces the ray goes, and, "
-        "from step 05 on, how much work it is to find the nearest)");
+    return options.choice("view", {"light", "normal", "depth", "uv", "material", "hits", "work"},
+                          DebugView::radiance,
+                          "what to show: the light, or what the ray hits (its normal, its distance, "
+                          "its texture coordinates, its material, how many surfaces are along the ray, and, "
+                          "from step 05 on, how much work finding the closest hit takes)");
 }
 
 /// Declares --from --at --up --fov.
 class CameraOptions {
   public:
     CameraOptions(Options& all, const LookAt& initial)
-        : options(all), from(all.option("from", initial.from, "where the camera stands, metres")),
-          at(all.option("at", initial.at, "the point it looks at, metres")),
-          up(all.option("up", initial.up, "the direction that is up in the picture")),
+        : options(all), from(all.option("from", initial.from, "position of the camera, metres")),
+          at(all.option("at", initial.at, "point that the camera looks at, metres")),
+          up(all.option("up", initial.up, "direction that is up in the image")),
           fov(all.option("fov", initial.fov, 1.0f, 170.0f, "vertical field of view, degrees")) {}
 
-    /// What the user asked for. Throws Error if no camera can stand like that.
+    /// Returns the camera given on the command line. Throws Error if its directions are degenerate.
     LookAt look_at() const { return validated({vec3(from), vec3(at), vec3(up), fov}); }
 
-    /// `defaults`, overridden by the options given on the command line.
+    /// Returns `defaults`, overridden by the options given on the command line. Throws Error like look_at().
     LookAt look_at_or(const LookAt& defaults) const {
         LookAt look_at = defaults;
         if (options.is_set("from")) look_at.from = vec3(from - defaults.origin);

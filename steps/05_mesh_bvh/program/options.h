@@ -1,4 +1,4 @@
-// The options of step 05 and later: how rays find what they hit, and a model of the user's own.
+// The options of step 05 and later: the acceleration structure, and a model of the user's own.
 #pragma once
 
 #include "02_shadows/point_light.h"
@@ -15,22 +15,23 @@ namespace rt {
 inline Choice<Accel> accel_option(Options& options, Accel initial) {
     return options.choice(
         "accel", {"brute", "bvh", "wide"}, initial,
-        "how a ray finds what it meets: ask every shape, descend a tree, or a tree that tests "
-        "many at once");
+        "how rays find hits: by testing every shape, by a binary tree, or by a tree that tests "
+        "many boxes together");
 }
 
 /// Declares --mesh --bare --crease: a model of the user's own.
 struct ModelOptions {
     explicit ModelOptions(Options& options)
-        : mesh(options.file("mesh", "an OBJ file to show in place of this step's scene")),
+        : mesh(options.file("mesh", "an OBJ file to show instead of this step's scene")),
           model_only(options.flag(
-              "bare", "with --mesh: the model alone, without floor and lamp, nor sky if it glows")),
+              "bare",
+              "with --mesh: the model alone, without floor and light; without sky too if it is emissive")),
           crease(
               options.option("crease", 40.0f, 0.0f, 180.0f,
                              "edges sharper than this stay sharp where the file gives no normals, degrees")) {
     }
 
-    const std::string& mesh; ///< empty: this step's own scene
+    const std::string& mesh; ///< empty: show this step's own scene
     const bool& model_only;
     const float& crease;
 };

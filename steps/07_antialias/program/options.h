@@ -10,16 +10,17 @@ namespace rt {
 
 /// Declares --sampler.
 inline Choice<SamplerKind> sampler_option(Options& options) {
-    return options.choice("sampler", {"random", "stratified", "sobol"}, SamplerKind::sobol,
-                          "how the samples of a pixel are spread: anywhere, one a cell, or as Sobol points, "
-                          "which are even in cells of every shape");
+    return options.choice(
+        "sampler", {"random", "stratified", "sobol"}, SamplerKind::sobol,
+        "how the samples of a pixel are placed: independently, one per cell, or as Sobol points, "
+        "which are stratified in cells of every shape");
 }
 
 /// Declares --filter and --filter-width.
 struct FilterOptions {
     explicit FilterOptions(Options& options)
         : filter(options.choice("filter", {"box", "tent", "gaussian"}, Filter::gaussian,
-                                "how a pixel weighs the light around its middle")),
+                                "how a pixel weights the light around its centre")),
           width(options.option("filter-width", 1.0f, 0.0f, 10.0f,
                                "scales the filter: box 1 pixel wide, tent 2, Gaussian sigma 1/2")) {}
 
@@ -32,12 +33,12 @@ struct LensOptions {
     explicit LensOptions(Options& all)
         : options(all),
           aperture(all.option("aperture", 0.0f, 0.0f, 1000.0f,
-                              "how wide the lens is, metres; 0 is a pinhole, with everything in focus")),
+                              "diameter of the lens, metres; 0: a pinhole, with everything in focus")),
           focus(all.option("focus", 0.0f, 0.0f, 1e6f,
-                           "how far ahead the plane in focus is, metres; 0 for the distance to --at")) {}
+                           "distance of the plane in focus, metres; 0: the distance to --at")) {}
 
     /// Returns `other`, overridden by the options given on the command line. A focus of 0 means the distance
-    /// to what the camera looks at.
+    /// to the point that the camera looks at.
     ThinLens lens(const LookAt& look_at,
                   const ThinLens& other = {.aperture_diameter = 0, .focus_distance = 0}) const {
         const float width = options.is_set("aperture") ? aperture : other.aperture_diameter;

@@ -1,5 +1,4 @@
-// A cat at home: a textured mesh in a closed room with a window and a lamp, and balls of what the steps have
-// made.
+// A cat at home: a textured mesh in a closed room with a window and a lamp, among spheres of other materials.
 #pragma once
 
 #include "01_spheres/camera.h"

@@ -1,5 +1,5 @@
-// The Cornell box as "Ray Tracing: The Next Week" builds it (Shirley, Black and Hollasch 2020), for comparing
-// with other programs. Lengths as in the book: the box is 555 wide.
+// The Cornell box of "Ray Tracing: The Next Week", for comparison with other programs.
+// Shirley, Black and Hollasch, 2020. Lengths as in the book: the box is 555 wide.
 #pragma once
 
 #include "01_spheres/camera.h"
@@ -9,7 +9,7 @@
 
 namespace rt {
 
-/// Six quads that face outward: a box of this size that stands in the origin's corner, turned about the y
+/// Adds six quads that face outward: a box of this size with one corner at the origin, turned about the y
 /// axis (degrees, from +z towards +x), then shifted.
 inline void add_box(Scene& scene, vec3 size, float turn, vec3 shift, int material) {
     const float c = std::cos(glm::radians(turn)), s = std::sin(glm::radians(turn));

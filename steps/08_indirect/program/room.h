@@ -1,4 +1,4 @@
-// The room of the reference: a box after the Cornell box, with a cow, a mirror ball and a glass ball.
+// The room of the reference image: a variant of the Cornell box.
 #pragma once
 
 #include "01_spheres/camera.h"
@@ -8,8 +8,10 @@
 
 namespace rt {
 
-/// A box after the Cornell box, 2 m wide and open to the camera: red and green walls, a lamp in the ceiling,
-/// and in it a cow that looks at itself in a mirror ball, and a ball of glass.
+inline const LookAt room_view{.from = {0, 1, 4.6f}, .at = {0, 0.98f, 0}, .fov = 31};
+
+/// Builds a variant of the Cornell box, 2 m wide and open to the camera: red and green walls, a lamp in the
+/// ceiling, a cow that looks at itself in a mirror sphere, and a glass sphere.
 inline LookAt room(Scene& scene) {
     const int white = add(scene.materials, Diffuse{vec3(0.74f, 0.72f, 0.68f)});
     const int red = add(scene.materials, Diffuse{{0.63f, 0.065f, 0.05f}});
@@ -28,7 +30,7 @@ inline LookAt room(Scene& scene) {
     ObjModel cow = read_obj(asset_path("cow.obj"));
     transform(cow, 0.85f, -40, {-0.38f, 0, -0.05f});
     add_model(scene, cow, 40);
-    return {.from = {0, 1, 4.6f}, .at = {0, 0.98f, 0}, .fov = 31};
+    return room_view;
 }
 
 } // namespace rt

@@ -1,6 +1,6 @@
-// The last scene of "Ray Tracing in One Weekend" (Shirley, Black and Hollasch 2020): hundreds of balls on a
-// ball, by the book's rule with numbers of our own, or from a list. Glass reflects by Fresnel, not by
-// Schlick.
+// The final scene of "Ray Tracing in One Weekend": hundreds of spheres on a large one.
+// Shirley, Black and Hollasch, 2020. The spheres follow the book's rule, with our own random numbers, or come
+// from a list. Glass reflects by Fresnel, not by Schlick.
 #pragma once
 
 #include "01_spheres/camera.h"
@@ -11,16 +11,16 @@
 
 namespace rt {
 
-/// Seen from what is in focus it is .6 degrees wide: 2 * 10 tan(.3 degrees).
+/// The book's lens: its diameter subtends 0.6 degrees from the plane in focus, 2 * 10 tan(0.3 degrees).
 inline constexpr ThinLens weekend_lens{.aperture_diameter = 0.104720f, .focus_distance = 10};
 
-/// The sky and the camera that go with it.
+/// Sets the sky of the scene and returns its camera.
 inline LookAt weekend_camera(Scene& scene) {
     scene.sky = {.nadir = vec3(1), .zenith = {0.5f, 0.7f, 1}};
     return {.from = {13, 2, 3}, .at = {0, 0, 0}, .fov = 20};
 }
 
-/// A small ball's material: of 100, 80 are matte, 15 metal and 5 glass.
+/// Returns the material of a small sphere: matte with a probability of 80 %, metal 15 %, glass 5 %.
 inline Material weekend_material(Random& random) {
     const auto three = [&] {
         const float x = random.uniform(), y = random.uniform(), z = random.uniform();
@@ -36,7 +36,7 @@ inline Material weekend_material(Random& random) {
     return Metal{reflectance, 0.5f * random.uniform()};
 }
 
-/// The same balls every time.
+/// Builds the book's scene, identical on every run.
 inline LookAt weekend(Scene& scene) {
     const auto ball = [&](vec3 center, float radius, const Material& material) {
         scene.spheres.push_back({center, radius, add(scene.materials, material)});
@@ -56,7 +56,7 @@ inline LookAt weekend(Scene& scene) {
     return weekend_camera(scene);
 }
 
-/// Balls from a list.
+/// Builds the scene from a list of spheres.
 inline LookAt weekend(Scene& scene, const std::vector<SphereRecord>& list) {
     for (const SphereRecord& ball : list) {
         const Material material = ball.kind == SphereRecord::Kind::metal

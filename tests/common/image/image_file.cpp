@@ -296,7 +296,7 @@ TEST_CASE("a TGA is read with or without run lengths; an error names it if it is
     CHECK_ERROR(error_of_reading(folder, "vast.tga", tga(10, 9000, 9000, 24, "\xff\1\2\3")), "cut short");
     std::string indexed = tga(1, 1, 1, 8, std::string(9, '\1'));
     indexed.replace(1, 7, std::string("\1\1\2\0\2\0\x18", 7)); // two colours of 24 bits, from index 2 on
-    CHECK_ERROR(error_of_reading(folder, "from.tga", indexed), "from.tga", "colours from 2");
+    CHECK_ERROR(error_of_reading(folder, "from.tga", indexed), "from.tga", "colour 2");
 }
 
 TEST_CASE("a file that is not a picture is rejected with a list of the supported formats") {
@@ -318,7 +318,7 @@ TEST_CASE("the exposure of an .hdr is undone when it is read") {
     CHECK(first("COLORCORR= 2 1 .5\n") == vec3(0.5f, 0.5f, 0.5f));
     for (const char* line :
          {"EXPOSURE=\n", "EXPOSURE=0\n", "EXPOSURE=-1\n", "EXPOSURE=nan\n", "COLORCORR=1 1\n"})
-        CHECK_ERROR(error_of([&] { first(line); }), "wrong line", std::string(line).substr(0, 8));
+        CHECK_ERROR(error_of([&] { first(line); }), "invalid line", std::string(line).substr(0, 8));
 }
 
 TEST_CASE("an .hdr used as a texture is clamped and encoded with the sRGB curve") {
@@ -412,7 +412,7 @@ TEST_CASE("a damaged .hdr is an error with its path") {
     CHECK_ERROR(error_of_reading(folder, "b.hdr", hdr("-Y 1 +X 8", row + std::string(99, '\0'))), "b.hdr",
                 "damaged");
     CHECK_ERROR(error_of_reading(folder, "c.hdr", hdr("-Y 1 +X 9", row + std::string(99, '\1'))),
-                "another width");
+                "the wrong width");
     CHECK_ERROR(error_of_reading(folder, "d.hdr", hdr("+X 8 -Y 1", row)), "d.hdr", "-Y height +X width");
     CHECK_ERROR(error_of_reading(folder, "e.hdr", hdr("-Y 99999999999 +X 1", row)), "e.hdr", "size");
     CHECK_ERROR(error_of_reading(folder, "f.hdr", hdr("-Y 16000 +X 16000", row)), "f.hdr", "too large");
@@ -561,7 +561,7 @@ TEST_CASE("a full disk is an error; the old file survives and no partial file re
         message = error_of([&] { write_image(old, gradient(9, 9)); });
         message_of_new = error_of([&] { write_image(folder / "new.png", gradient(400, 400)); });
     }
-    CHECK_ERROR(message, "old.hdr", "File too large", "untouched");
+    CHECK_ERROR(message, "old.hdr", "File too large", "unchanged");
     CHECK_ERROR(message_of_new, "new.png", "File too large");
     CHECK(bytes_of(old) == "as it was");
     CHECK(folder.files() == 1);

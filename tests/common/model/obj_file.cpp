@@ -254,7 +254,7 @@ TEST_CASE("a normal without direction counts as missing") {
 
 TEST_CASE("a position out of range is an error with file, line and valid range") {
     CHECK_ERROR(error_of_text(four + "f 1 2 3\nf 1 2 5\nf 1 2 4\n"), "a.obj:6:", "position 5", "has 4");
-    CHECK_ERROR(error_of_text(four + "f 1 2 -5\nv 0 0 0\n"), "a.obj:5:", "position -5", "4 stand before it");
+    CHECK_ERROR(error_of_text(four + "f 1 2 -5\nv 0 0 0\n"), "a.obj:5:", "position -5", "4 precede it");
     CHECK_ERROR(error_of_text(four + "f 0 1 2\n"), "a.obj:5:", "position 0", "starts at 1");
     CHECK_ERROR(error_of_text(four + "f 1 2 -0\n"), "a.obj:5:", "position 0");
     CHECK_ERROR(error_of_text(four + "f 1 2 4294967297\n"), "a.obj:5:", "position");
@@ -570,7 +570,7 @@ TEST_CASE("a texture is found beside the .mtl, beside the .obj or by its bare na
     CHECK(file.materials[3].texture == 0);
     CHECK(file.materials[0].diffuse == vec3(1.0f)); // no Kd: only the texture determines the colour
     CHECK(file.materials[1].diffuse == vec3(0.5f));
-    CHECK_ERROR(said.text(), "m.mtl:5: the texture's option -s is not followed", "m.mtl:7:");
+    CHECK_ERROR(said.text(), "m.mtl:5: the texture option -s is not supported", "m.mtl:7:");
 }
 
 TEST_CASE("a missing or unreadable texture becomes a magenta checkerboard with a warning that lists paths "

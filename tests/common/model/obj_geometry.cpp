@@ -183,7 +183,7 @@ TEST_CASE("faces that wind against their normals are reversed with their uvs and
     const Reading reading =
         read(four + "v 2 0 0\nvn 0 0 -1\nvn 0 .1 -1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt 2 0\n"
                     "f 1/1/1 2/2/1 3/3/2 4/4/2\nf 5/5/1 2/2/1 3/3/1\nf 1 2 3\n");
-    CHECK(reading.said == "warning: a.obj: 1 of 3 faces wind against their normals and are turned\n");
+    CHECK(reading.said == "warning: a.obj: 1 of 3 faces wind against their normals and are flipped\n");
     REQUIRE(reading.file.triangles.size() == 4);
     for (const std::size_t i : {0u, 1u, 2u}) {
         CHECK(area_vector(reading.file, i).z < 0);
@@ -277,9 +277,9 @@ TEST_CASE("normals and texture coordinates that are not finite are omitted with 
 
 TEST_CASE("usemtl and mtllib without a name are skipped with a warning") {
     const Reading reading = read(four + "mtllib\nusemtl \nf 1 2 3\nmtllib  \nusemtl\nf 1 3 4\n");
-    CHECK(reading.said ==
-          "warning: a.obj:6: usemtl names no material; what follows has the default one (the first of 2)\n"
-          "warning: a.obj:5: mtllib names no file and is left out (the first of 2)\n");
+    CHECK(reading.said == "warning: a.obj:6: usemtl names no material; the faces that follow get the default "
+                          "one (the first of 2)\n"
+                          "warning: a.obj:5: mtllib names no file and is left out (the first of 2)\n");
     CHECK(reading.file.triangle_materials == std::vector<int>{0, 0});
 }
 
@@ -292,8 +292,8 @@ TEST_CASE("corners whose normals or texture coordinates do not exist get none an
             for (const ObjIndex& c : triangle) with += std::size_t(c.uv >= 0) + std::size_t(c.normal >= 0);
         CHECK(with == kept);
     };
-    const std::string normal = "a corner names a normal that does not exist and gets none";
-    const std::string uv = "a corner names a texture coordinate that does not exist and gets none";
+    const std::string normal = "a face vertex names a normal that does not exist and gets none";
+    const std::string uv = "a face vertex names a texture coordinate that does not exist and gets none";
     check("f 1//1 2//2 3//3\nf 1 2 3\n", "warning: a.obj:5: " + normal + " (the first of 3)\n", 0);
     check("f 1 2 3\nf 1/1 2/1 3/1\n", "warning: a.obj:6: " + uv + " (the first of 3)\n", 0);
     check("vt 0 0\nf 1/1 2/-2 3/1\n", "warning: a.obj:6: " + uv + "\n", 2);

@@ -175,8 +175,8 @@ TEST_CASE("a file whose name differs only in capitals is found with a warning th
     const Reading reading = read(folder, model("mtllib case.mtl", "ab"));
     REQUIRE(reading.file.textures.size() == 1);
     CHECK(reading.file.textures[0].values[0] == 7 * 257);
-    CHECK_ERROR(reading.warnings, "\"case.mtl\" is not there, " + folder / "Case.MTL is taken",
-                "\"tex/WALL.png\" is not there, " + folder / "Tex/Wall.PNG is taken");
+    CHECK_ERROR(reading.warnings, "\"case.mtl\" does not exist, using " + folder / "Case.MTL instead",
+                "\"tex/WALL.png\" does not exist, using " + folder / "Tex/Wall.PNG instead");
     CHECK(lines_of(reading.warnings) == 2);
     folder.write("case.mtl", "newmtl a\nnewmtl b\n");
     CHECK(read(folder, model("mtllib case.mtl", "ab")).warnings == ""); // the exact name takes precedence
@@ -192,10 +192,10 @@ TEST_CASE("unsupported material properties are reported once per type with names
                "\nmap_Bump x.png\nbump x.png\nPr 0.5\nPc 0\nKs .5 .5 .5\nillum 2\n";
     const std::string warnings =
         read_mtl(folder, mtl + "map_Ks x.png\ndisp y.png\nrefl z.png\nmap_Ke k.png\n").warnings;
-    CHECK_ERROR(warnings, "bump and normal maps are not followed (4 materials: \"a\", \"b\", \"c\", ...)",
-                "roughness, sheen, coat and anisotropy (Pr, Ps, Pc, aniso) are not followed (4 materials",
-                "maps of highlights, roughness and metal are not followed (material \"d\")",
-                "displacement maps are not followed", "reflection maps are not followed", "map_Ke");
+    CHECK_ERROR(warnings, "bump and normal maps are not supported (4 materials: \"a\", \"b\", \"c\", ...)",
+                "roughness, sheen, coat and anisotropy (Pr, Ps, Pc, aniso) are not supported (4 materials",
+                "maps of highlights, roughness and metal are not supported (material \"d\")",
+                "displacement maps are not supported", "reflection maps are not supported", "map_Ke");
     CHECK(lines_of(warnings) == 6);
     CHECK(read_mtl(folder, "newmtl a\nKa 1 1 1\nNs 30\nTf 1 1 1\nKs 1 1 1\nillum 2\nPr 0\nd 1\n").warnings ==
           "");
@@ -220,12 +220,11 @@ TEST_CASE("lines that can be skipped are skipped with one warning that counts th
                 "3 such");
     CHECK_ERROR(warnings("map_Kd x.png\nKd nan 1 1\nnewmtl a\n"), "m.mtl:1: \"map_Kd\" is skipped",
                 "no newmtl", "2 such");
-    CHECK_ERROR(warnings("newmtl a\n\nfoo 1\nbar\n"), "m.mtl:3: \"foo\" is no word that is known here",
-                "2 such");
+    CHECK_ERROR(warnings("newmtl a\n\nfoo 1\nbar\n"), "m.mtl:3: \"foo\" is not a known statement", "2 such");
     CHECK_ERROR(warnings("newmtl a\nKs nan 0 0\nKs 1 1\n"),
                 "Ks that is not three numbers is skipped (material \"a\")");
     CHECK_ERROR(warnings("newmtl a\nKd spectral steel.rfl 1\n"),
-                "Kd as a spectrum is not followed (material \"a\")");
+                "Kd as a spectrum is not supported (material \"a\")");
 }
 
 TEST_CASE("a colour in CIE XYZ becomes linear RGB") {

@@ -57,8 +57,8 @@ TEST_CASE("line ends of all systems, blanks, empty lines and a byte order mark a
 
 TEST_CASE("an error in a list is one line with the file and the line number") {
     const std::string good = "metal,1,2,3,0.5,1,1,1,0.1\n";
-    CHECK(error_of_text("") == "balls.csv: has no ball in it");
-    CHECK(error_of_text(columns) == "balls.csv: has no ball in it");
+    CHECK(error_of_text("") == "balls.csv: contains no spheres");
+    CHECK(error_of_text(columns) == "balls.csv: contains no spheres");
     CHECK(error_of_text(good) == "balls.csv:1: the first line must name the columns: "
                                  "material,x,y,z,radius,red,green,blue,fuzz_or_ior");
     CHECK(error_of_text(columns + good + "\nmetal,1,2,3,0.5,1,1,1\n") ==

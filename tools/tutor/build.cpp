@@ -1,0 +1,148 @@
+// Reads "file:line:column: error: message", which GCC and Clang agree on.
+#include "tools/tutor/build.h"
+
+#include "common/util/report_error.h"
+#include "common/util/cores.h"
+#include "common/util/file_bytes.h"
+#include "tools/tutor/exercises.h"
+#include "tools/tutor/system.h"
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <future>
+#include <iostream>
+#include <sstream>
+
+namespace rt::tutor {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// What stands before the last colon, which is taken off; empty if there is none.
+std::string last_part(std::string& text) {
+    const std::size_t colon = text.rfind(':');
+    if (colon == std::string::npos) return "";
+    const std::string part = text.substr(colon + 1);
+    text.resize(colon);
+    return part;
+}
+
+bool is_number(const std::string& text) {
+    return !text.empty() && text.size() < 9 && text.find_first_not_of("0123456789") == std::string::npos;
+}
+
+std::optional<CompileError> error_in(const std::string& line) {
+    for (const std::string mark : {": error: ", ": fatal error: "}) {
+        const std::size_t place = line.find(mark);
+        if (place == std::string::npos) continue;
+        std::string file = line.substr(0, place);
+        const std::string column = last_part(file), number = last_part(file);
+        if (is_number(column) && is_number(number) && !file.empty())
+            return CompileError{file, std::stoi(number), line.substr(place + mark.size())};
+    }
+    return std::nullopt;
+}
+
+/// The build tool names what it has made, line by line.
+bool is_linked(const fs::path& log, const std::string& target) {
+    std::ifstream lines(log);
+    for (std::string line; std::getline(lines, line);)
+        if (line.ends_with("bin/" + target) || line.ends_with(target + ".exe")) return true;
+    return false;
+}
+
+} // namespace
+
+std::optional<CompileError> first_error(const std::string& log, const std::string& preferred) {
+    std::optional<CompileError> first;
+    std::istringstream lines(log);
+    for (std::string line; std::getline(lines, line);) {
+        const auto error = error_in(line);
+        if (error && error->file.find(preferred) != std::string::npos) return error;
+        if (!first) first = error;
+    }
+    return first;
+}
+
+BuildResult build_targets(const fs::path& build, const Words& targets, const fs::path& log,
+                          const std::string& preferred, const std::function<void()>& on_first) {
+    const std::string jobs = std::to_string(usable_cores()); // ninja takes two more
+    Words command{"cmake", "--build", build.string(), "--parallel", jobs, "--target"};
+    command.insert(command.end(), targets.begin(), targets.end());
+    auto process = std::async(std::launch::async, [&] {
+        const BuildLock alone(build);
+        return run_process(command, {.log = log});
+    });
+    bool told = !on_first;
+    while (process.wait_for(std::chrono::milliseconds(20)) != std::future_status::ready) {
+        if (told || !is_linked(log, targets[0])) continue;
+        told = true;
+        on_first();
+    }
+    const int code = process.get().code;
+    BuildResult result{code == 0, code, std::nullopt, read_file(log.string())};
+    if (!result.succeeded) result.error = first_error(result.log, preferred);
+    if (result.succeeded && !told) on_first();
+    return result;
+}
+
+namespace {
+
+fs::path log_of(const Preset& preset) {
+    return preset.root / "build" / "learn.log";
+}
+
+[[noreturn]] void give_up(const Preset& preset) {
+    std::cout << "failed" << std::endl;
+    for (const std::string& line : lines_of(read_file(log_of(preset).string()))) print_error_line(line);
+    throw CommandFailed("the build failed; its output stands above and in " + log_of(preset).string() +
+                        "; if your files are not the cause, remove " + preset.folder().string());
+}
+
+void configure_locked(const Preset& preset, bool again) {
+    std::error_code ignored;
+    const fs::path made = preset.folder() / "build.ninja";
+    write_file(log_of(preset).string(), "");
+    if (fs::exists(made, ignored) && !again) return;
+    fs::remove(made, ignored);
+    const Words command{"cmake", "--preset", preset.name, "-S", preset.root.string()};
+    if (run_process(command, {.log = log_of(preset), .append = true}).code != 0) give_up(preset);
+}
+
+} // namespace
+
+void configure(const Preset& preset, bool again) {
+    const BuildLock alone(preset.folder());
+    configure_locked(preset, again);
+}
+
+void make(const Preset& preset, const Words& targets, bool quiet) {
+    const BuildLock alone(preset.folder());
+    const auto begin = std::chrono::steady_clock::now();
+    if (!quiet) std::cout << "building... " << std::flush;
+    configure_locked(preset, false);
+    Words command{"cmake", "--build", preset.folder().string(), "--target"};
+    command.insert(command.end(), targets.begin(), targets.end());
+    if (run_process(command, {.log = log_of(preset), .append = true}).code != 0) give_up(preset);
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
+    if (!quiet) std::cout << int(time.count()) << " s" << std::endl;
+}
+
+void wait_for_program(const fs::path& program) {
+    std::error_code missing;
+    const fs::perms allowed = fs::status(program, missing).permissions();
+    if (missing || (allowed & fs::perms::owner_exec) == fs::perms::none)
+        const BuildLock lock(program.parent_path().parent_path());
+}
+
+void hand_over(const Preset& preset, const std::string& tool, const Words& arguments) {
+    make(preset, {tool}, true);
+    Words command{preset.program(tool).string()};
+    wait_for_program(command[0]);
+    command.insert(command.end(), arguments.begin(), arguments.end());
+    replace_process(command);
+}
+
+} // namespace rt::tutor

@@ -1,0 +1,232 @@
+// ./learn start, diff and undo: makes, shows and puts aside the learner's files.
+#include "common/util/report_error.h"
+#include "common/util/error.h"
+#include "common/util/file_bytes.h"
+#include "tools/tutor/commands.h"
+#include "tools/tutor/diff.h"
+#include "tools/tutor/system.h"
+#include "tools/tutor/util.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <ctime>
+#include <utility>
+
+namespace rt::tutor {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string git_diff(const std::string& first, const std::string& second) {
+    const TemporaryFolder folder;
+    const auto put = [&](const char* name, const std::string& text) {
+        const std::string path = (folder.path / name).string();
+        write_file(path, text.empty() || text.ends_with('\n') ? text : text + "\n");
+        return path;
+    };
+    std::string output;
+    const Words command{
+        "git",       "diff",        "--no-index", "--no-color",        "--no-ext-diff",      "--patch",
+        "--minimal", "--unified=3", "--",         put("first", first), put("second", second)};
+    if (run_process(command, {.output = &output}).code > 1) throw Error("git diff failed; is git installed?");
+    return output;
+}
+
+std::string painted(const char* colour_code, const std::string& line, bool colour) {
+    const std::string text = printable_lines(line);
+    return colour ? std::string("\x1b[") + colour_code + "m" + text + "\x1b[0m\n" : text + "\n";
+}
+
+} // namespace
+
+std::string unified_diff(const NamedText& first, const NamedText& second, bool colour) {
+    std::string out;
+    for (const std::string& line : lines_of(git_diff(first.text, second.text))) {
+        const bool hunk = line.starts_with("@@ ");
+        if (hunk && out.empty())
+            out = painted("1", "--- " + first.name, colour) + painted("1", "+++ " + second.name, colour);
+        if (out.empty()) continue; // git's own head
+        if (hunk)
+            out += painted("36", line.substr(0, line.find(" @@") + 3), colour); // without the function's name
+        else
+            out += line.starts_with(' ') ? printable_lines(line) + "\n"
+                                         : painted(line[0] == '-' ? "31" : "32", line, colour);
+    }
+    return out;
+}
+
+namespace {
+
+/// A file without the markers of its exercises, every line ending with \n.
+NamedText plain_text(const fs::path& path) {
+    std::string text = without_markers(read_file(path.string()));
+    std::erase(text, '\r');
+    return {display_path(path), text};
+}
+
+void diff_file(const Project& project, const std::string& step, const std::string& file, bool colour,
+               std::ostream& out) {
+    const fs::path reference = steps_folder(project) / step / file, own = project.workshop / step / file;
+    std::error_code ignored;
+    if (!fs::exists(reference, ignored)) {
+        out << display_path(own) << ": yours alone, the reference has no such file\n";
+        return;
+    }
+    const std::string text = unified_diff(plain_text(reference), plain_text(own), colour);
+    out << (text.empty() ? display_path(own) + ": as the reference\n" : text);
+}
+
+} // namespace
+
+void show_diff(const Project& project, const std::string& step, const std::string& file, bool colour,
+               std::ostream& out) {
+    Words files = own_files(project, step);
+    if (!file.empty() || files.empty()) files = {find_own_file(project, step, file)};
+    for (const std::string& each : files) diff_file(project, step, each, colour, out);
+}
+
+namespace {
+
+using Contents = std::vector<std::pair<std::string, std::string>>; ///< file name, text
+
+/// What a file of the reference looks like when all its exercises are cut.
+std::string stub_of(const Project& project, const std::string& step, const std::string& file,
+                    const std::vector<Exercise>& exercises) {
+    std::vector<Exercise> here;
+    std::ranges::copy_if(exercises, std::back_inserter(here),
+                         [&](const Exercise& e) { return e.file == file; });
+    return make_stub(read_file((steps_folder(project) / step / file).string()), here);
+}
+
+/// The stubs of the files that the learner does not have yet.
+Contents missing_stubs(const Project& project, const std::string& step,
+                       const std::vector<Exercise>& exercises, std::ostream& out) {
+    Contents stubs;
+    std::error_code ignored;
+    for (const std::string& file : files_to_write(exercises)) {
+        const fs::path place = project.workshop / step / file;
+        if (fs::exists(fs::symlink_status(place, ignored)))
+            out << display_path(place) << " is there already: left as it is\n";
+        else
+            stubs.emplace_back(file, stub_of(project, step, file, exercises));
+    }
+    return stubs;
+}
+
+void write_stubs(const Project& project, const std::string& step, const Contents& stubs, std::ostream& out) {
+    const fs::path folder = project.workshop / step;
+    for (const auto& [file, stub] : stubs) check_file_writable((folder / file).string());
+    for (const auto& [file, stub] : stubs) {
+        write_file((folder / file).string(), stub);
+        out << "made " << display_path(folder / file) << "\n";
+    }
+}
+
+void list_tasks(const Project& project, const std::vector<Exercise>& exercises, std::ostream& out) {
+    for (const Exercise& exercise : exercises) {
+        const fs::path path = project.workshop / exercise.step / exercise.file;
+        out << "  " << display_path(path, place_of(exercise, read_file(path.string()))) << "  "
+            << exercise.name << "\n"
+            << "      " << exercise.task << "\n";
+    }
+}
+
+/// The learner's files of earlier steps that the step's files include.
+void name_foundations(const Project& project, const std::string& step, const std::vector<Exercise>& exercises,
+                      std::ostream& out) {
+    Words own;
+    std::error_code ignored;
+    for (const std::string& file : files_to_write(exercises))
+        for (const std::string& header :
+             included_headers({project.workshop, steps_folder(project)}, step + "/" + file))
+            if (!header.starts_with(step + "/") && std::ranges::find(own, header) == own.end() &&
+                fs::exists(project.workshop / header, ignored))
+                own.push_back(header);
+    std::string names;
+    for (const std::string& header : own) names += (names.empty() ? "" : ", ") + header;
+    if (!own.empty()) out << "yours  " << names << ": what you write builds on them\n";
+}
+
+/// Not the step's folder, where the answers are.
+std::string what_to_read(const Project& project, const std::string& step) {
+    std::error_code ignored;
+    const fs::path chapter = project.root / "docs" / (step + ".md");
+    return fs::exists(chapter, ignored) ? display_path(chapter) : "the comment above each function";
+}
+
+} // namespace
+
+void start_step(const Project& project, const std::string& step, std::ostream& out) {
+    const std::vector<Exercise> exercises = exercises_of(project, step);
+    const std::string number = number_of(step);
+    make_folder(project.workshop / step);
+    out << "Step " << number << " asks: " << question_of(project, step) << "\n\n";
+    write_stubs(project, step, missing_stubs(project, step, exercises, out), out);
+    out << "\nWrite " << exercises.size() << " functions, best in this order:\n";
+    list_tasks(project, exercises, out);
+    out << "\n";
+    name_foundations(project, step, exercises, out);
+    out << "read   " << what_to_read(project, step) << "\n"
+        << "then   ./learn check " << number << "\n"
+        << "stuck  ./learn hint " << number << " " << exercises.front().name << "\n";
+}
+
+namespace {
+
+/// Now, as 2026-01-31-235959.
+std::string time_stamp() {
+    const std::time_t now = std::time(nullptr);
+    std::array<char, 32> text{};
+    std::strftime(text.data(), text.size(), "%Y-%m-%d-%H%M%S", std::localtime(&now));
+    return text.data();
+}
+
+/// A name in the backup folder that nothing has yet.
+fs::path free_place(const fs::path& folder, const std::string& file) {
+    const fs::path first = folder / (file + "." + time_stamp());
+    fs::path place = first;
+    std::error_code ignored;
+    for (int count = 2; fs::exists(fs::symlink_status(place, ignored)); ++count) {
+        place = first;
+        place += "-" + std::to_string(count);
+    }
+    return place;
+}
+
+/// A path as a shell takes it for one word.
+std::string quoted(const fs::path& path) {
+    const std::string text = display_path(path);
+    const bool plain = std::ranges::all_of(text, [](unsigned char c) {
+        return std::isalnum(c) || std::string("/._-").find(char(c)) != std::string::npos;
+    });
+    if (plain) return text;
+    std::string word = "'";
+    for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
+    return word + "'";
+}
+
+void put_aside(const Project& project, const std::string& step, const std::string& file, std::ostream& out) {
+    const fs::path folder = project.workshop / ".backup" / step;
+    make_folder(folder);
+    const fs::path from = project.workshop / step / file, to = free_place(folder, file);
+    std::error_code failure;
+    fs::rename(from, to, failure);
+    if (failure)
+        throw Error("cannot move " + display_path(from) + " to " + display_path(to) + " (" +
+                    failure.message() + ")");
+    out << "moved " << display_path(from) << " to " << display_path(to) << "\n"
+        << "  to get it back: mv " << quoted(to) << " " << quoted(from) << "\n";
+}
+
+} // namespace
+
+void undo_files(const Project& project, const std::string& step, const std::string& file, std::ostream& out) {
+    Words files = own_files(project, step);
+    if (!file.empty() || files.empty()) files = {find_own_file(project, step, file)};
+    for (const std::string& each : files) put_aside(project, step, each, out);
+    out << "the reference counts again; ./learn start " << number_of(step) << " makes a new stub\n";
+}
+
+} // namespace rt::tutor

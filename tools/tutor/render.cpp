@@ -1,0 +1,233 @@
+// ./learn run and ./learn references: renders steps, and compares their pictures with the references or keeps
+// them as such.
+#include "common/util/report_error.h"
+#include "common/util/error.h"
+#include "common/util/file_bytes.h"
+#include "tools/tutor/build.h"
+#include "tools/tutor/check_parts.h"
+#include "tools/tutor/commands.h"
+#include "tools/tutor/system.h"
+#include "tools/tutor/util.h"
+
+#include <iostream>
+
+namespace rt::tutor {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// The flags of a reference. Most are the program's own defaults. A noisy step gets more samples and another
+/// seed, so that the reference is less noisy than the pictures it judges, and independent of them.
+Words reference_flags(const std::string& step) {
+    if (step.starts_with("07_")) return {"--samples", "256", "--seed", "2"};
+    if (step.starts_with("08_")) return {"--samples", "1024", "--seed", "2"};
+    return {};
+}
+
+/// The flags of the picture that is compared with the reference: the program's own defaults, unless that is
+/// too slow.
+Words test_flags(const std::string& step) {
+    return step.starts_with("08_") ? Words{"--samples", "16"} : Words{};
+}
+
+/// The command that writes a step's pictures, and for noisy steps their variance.
+Words render_command(const Preset& preset, const std::string& step, const fs::path& folder) {
+    const std::string out = (folder / step).string();
+    Words command{preset.program(step).string(), "--out", out};
+    if (!reference_flags(step).empty()) append(command, {"--variance", out + ".variance.hdr"});
+    return command;
+}
+
+/// One line of the table of ./learn run.
+struct Row {
+    std::string step, verdict, remark, log;
+};
+
+/// Compares renders/STEP.hdr with the reference.
+void compare(const Project& project, Row& row) {
+    std::error_code ignored;
+    row.verdict = "no reference";
+    if (!fs::exists(project.root / "assets/reference" / (row.step + ".hdr"), ignored)) return;
+    try {
+        const compare::Comparison judgement = judge_render(project.root, row.step, project.root / "renders");
+        row.verdict = compare::is_same(judgement.verdict) ? "agrees" : "DIFFERS";
+        row.remark = joined(judgement.lines, "\n    ");
+    } catch (const Error& error) {
+        row.verdict = "ERROR";
+        row.remark = error.what();
+    }
+}
+
+void print_head() {
+    std::cout << cell("step", -16) << cell("seconds", 8) << cell("Mrays/s", 12) << "  "
+              << cell("verdict", -14) << "picture\n";
+}
+
+/// Returns whether all is well.
+bool print_row(const Project& project, const Row& row) {
+    const Words time = words_in(line_after(row.log, "time "));
+    const auto word = [&](std::size_t i) { return i < time.size() ? time[i] : "-"; };
+    std::cout << cell(row.step, -16) << cell(word(0), 8) << cell(word(4), 12) << "  "
+              << cell(row.verdict, -14) << display_path(project.root / "renders" / (row.step + ".png"))
+              << std::endl;
+    const bool well = row.verdict != "DIFFERS" && row.verdict != "ERROR";
+    if (!well) std::cout << "    " << printable_lines(row.remark) << std::endl;
+    return well;
+}
+
+/// Ends this program too if a signal ended the other one.
+int run_unless_stopped(const Words& command, const ProcessOptions& options) {
+    const int code = run_process(command, options).code;
+    if (code == 129 || code == 130 || code == 143) throw Stop{code};
+    return code;
+}
+
+void make_contact_sheet(const Preset& preset, const fs::path& sheet, const Words& pictures) {
+    Words command{preset.program("contact_sheet").string(), sheet.string()};
+    append(command, pictures);
+    std::string output;
+    if (run_process(command, {.output = &output}).code != 0)
+        throw CommandFailed("the contact sheet could not be made");
+}
+
+int run_all(const Project& project, const Preset& preset) {
+    bool well = true;
+    Words pictures;
+    print_head();
+    for (const std::string& step : all_steps(project)) {
+        Row row{step, "ERROR", "", ""};
+        wait_for_program(preset.program(step));
+        const int code =
+            run_unless_stopped(render_command(preset, step, project.root / "renders"), {.output = &row.log});
+        if (code == 0) {
+            compare(project, row);
+            pictures.push_back((project.root / "renders" / (step + ".png")).string());
+        } else {
+            row.remark = "the program ended with exit code " + std::to_string(code);
+        }
+        well = print_row(project, row) && well;
+    }
+    if (!pictures.empty()) {
+        const fs::path sheet = project.root / "renders/contact_sheet.png";
+        make_contact_sheet(preset, sheet, pictures);
+        std::cout << "contact sheet: " << display_path(sheet) << "\n";
+    }
+    return well ? 0 : 1;
+}
+
+/// What the flags for a step's program say: whether they may change the picture (all but --threads and
+/// --quiet may), name its file, or ask for help.
+struct FlagKinds {
+    bool change = false, name_file = false, help = false;
+};
+
+FlagKinds kinds_of(const Words& flags) {
+    FlagKinds kinds;
+    for (std::size_t i = 0; i < flags.size(); ++i) {
+        const std::string& flag = flags[i];
+        if (flag == "--threads")
+            ++i;
+        else if (flag == "-h" || flag == "--help")
+            kinds.help = true;
+        else if (flag != "--quiet" && !flag.starts_with("--threads="))
+            kinds.change = true;
+        if (flag == "--out" || flag.starts_with("--out=")) kinds.name_file = true;
+    }
+    return kinds;
+}
+
+int run_one(const Project& project, const Preset& preset, const std::string& step, const Words& flags) {
+    const FlagKinds kinds = kinds_of(flags);
+    const std::string program = preset.program(step).string();
+    wait_for_program(program);
+    if (kinds.help) replace_process({program, "--help"});
+    Words command = kinds.name_file ? Words{program} : render_command(preset, step, project.root / "renders");
+    append(command, flags);
+    Row row{step, "own settings", "", ""};
+    const int code = run_unless_stopped(command, {.output = &row.log, .echo = true});
+    if (code == 2) return 2; // bad input; the program has said what is wrong
+    if (code != 0) throw CommandFailed(step + " ended with exit code " + std::to_string(code));
+    if (kinds.name_file) return 0; // the program has printed where it is
+    if (!kinds.change) compare(project, row);
+    print_head();
+    return print_row(project, row) ? 0 : 1;
+}
+
+/// How the reference of a step was made.
+std::string facts(const Preset& preset, const std::string& step, const std::string& log) {
+    const std::string cache = read_file((preset.folder() / "CMakeCache.txt").string());
+    std::string compiler = line_after(cache, "CMAKE_CXX_COMPILER:");
+    compiler.erase(0, compiler.find('=') + 1);
+    std::string version, system;
+    run_process({compiler, "--version"}, {.output = &version});
+    run_process({"uname", "-sm"}, {.output = &system});
+    // 640 x 400, 16 samples a pixel, seed 1, ...
+    const Words words = words_in(log.substr(0, log.find('\n')));
+    if (words.size() < 9) throw CommandFailed(step + " did not print its settings");
+    const auto labelled = [](const std::string& label, const Words& flags) {
+        return label + ":" + (flags.empty() ? "" : " ") + joined(flags, " ") + "\n";
+    };
+    return "# How the reference pictures of " + step +
+           " were made. Written by ./learn references, read by tests/reference.sh.\nprogram: " + step + "\n" +
+           labelled("flags", reference_flags(step)) + labelled("test flags", test_flags(step)) +
+           "width: " + words[0] + "\nheight: " + std::to_string(std::atoi(words[2].c_str())) +
+           "\nsamples: " + words[3] + "\nseed: " + std::to_string(std::atoi(words[8].c_str())) +
+           "\nmade by: " + version.substr(0, version.find('\n')) + ", " + system;
+}
+
+void make_reference(const Preset& preset, const std::string& step, const fs::path& folder) {
+    Words command = render_command(preset, step, folder);
+    append(command, reference_flags(step));
+    std::string log;
+    if (run_unless_stopped(command, {.output = &log}) != 0)
+        throw CommandFailed(step + " could not be rendered");
+    write_file((folder / (step + ".txt")).string(), facts(preset, step, log));
+    for (const fs::path& file : entries_of(folder)) {
+        write_file((preset.root / "assets/reference" / file.filename()).string(), read_file(file.string()));
+        fs::remove(file);
+    }
+    std::cout << step << ": " << line_after(log, "time ") << std::endl;
+}
+
+} // namespace
+
+int run_steps(const Project& project, const std::string& step, const Words& flags) {
+    const Preset preset{project.root};
+    make_folder(project.root / "renders");
+    make(preset, {step.empty() ? "programs" : step});
+    return step.empty() ? run_all(project, preset) : run_one(project, preset, step, flags);
+}
+
+void make_references(const Project& project, const std::string& step) {
+    const Preset preset{project.root};
+    make(preset, {"programs"});
+    const fs::path references = project.root / "assets/reference";
+    make_folder(references);
+    const TemporaryFolder folder(preset.folder());
+    for (const std::string& each : step.empty() ? all_steps(project) : Words{step})
+        make_reference(preset, each, folder.path);
+    Words pictures;
+    for (const std::string& each : all_steps(project))
+        if (fs::exists(references / (each + ".png")))
+            pictures.push_back((references / (each + ".png")).string());
+    make_folder(project.root / "docs");
+    make_contact_sheet(preset, project.root / "docs/contact_sheet.png", pictures);
+    std::cout << "written into " << display_path(references)
+              << "; look at every one of them before you commit it\n";
+}
+
+void make_figures(const Project& project, const Words& steps) {
+    const Preset preset{project.root};
+    make(preset, {"programs"});
+    set_environment("ROOT", project.root.string());
+    set_environment("BUILD", preset.folder().string());
+    for (const std::string& step : all_steps(project)) {
+        const fs::path script = project.root / "tools/figures" / (step + ".sh");
+        if ((!steps.empty() && !contains(steps, step)) || !fs::exists(script)) continue;
+        if (run_process({"bash", script.string()}).code != 0)
+            throw CommandFailed("the figures of " + step + " could not be made");
+    }
+}
+
+} // namespace rt::tutor

@@ -1,0 +1,228 @@
+// Processes, locks and terminals of POSIX systems.
+#include "tools/tutor/system.h"
+
+#include "common/util/report_error.h"
+#include "common/util/error.h"
+
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <fcntl.h>
+#include <iostream>
+#include <poll.h>
+#include <sys/file.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <termios.h>
+#include <thread>
+#include <unistd.h>
+
+namespace rt::tutor {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int could_not_start = 127;
+volatile std::sig_atomic_t stop_signal = 0;
+
+extern "C" void note_stop(int signal) {
+    stop_signal = signal;
+}
+
+std::vector<char*> pointers_to(Words& words) {
+    std::vector<char*> pointers;
+    for (std::string& word : words) pointers.push_back(word.data());
+    pointers.push_back(nullptr);
+    return pointers;
+}
+
+void limit(int resource, rlim_t value) {
+    const rlimit both{value, value};
+    setrlimit(decltype(RLIMIT_CPU)(resource), &both);
+}
+
+/// The child after fork(): only system calls are allowed here. `out` replaces stdout unless it is negative.
+[[noreturn]] void start(char* const* arguments, const char* log, int out, const ProcessOptions& options) {
+    const int nothing = open("/dev/null", O_RDONLY);
+    const int file = *log ? open(log, O_WRONLY | O_CREAT | (options.append ? O_APPEND : O_TRUNC), 0644) : -1;
+    const bool ready = dup2(nothing, 0) == 0 && (!*log || (dup2(file, 1) == 1 && dup2(file, 2) == 2)) &&
+                       (out < 0 || dup2(out, 1) == 1);
+    if (!ready) _exit(could_not_start);
+    limit(RLIMIT_CORE, 0);
+    if (options.cpu_seconds > 0) limit(RLIMIT_CPU, rlim_t(options.cpu_seconds));
+    if (options.memory > 0) limit(RLIMIT_AS, rlim_t(options.memory));
+    alarm(unsigned(options.seconds));
+    for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_DFL);
+    execvp(arguments[0], arguments);
+    _exit(could_not_start);
+}
+
+/// A terminal sends Ctrl-C to the child itself.
+void pass_on_stop(pid_t child) {
+    if (stop_signal == SIGTERM || stop_signal == SIGHUP) kill(child, stop_signal);
+}
+
+void read_output(int pipe, pid_t child, const ProcessOptions& options) {
+    char bytes[4096];
+    for (ssize_t count; (count = read(pipe, bytes, sizeof bytes)) != 0;) {
+        if (count < 0 && errno != EINTR) break;
+        if (count < 0) pass_on_stop(child);
+        const std::string_view text(bytes, std::size_t(std::max<ssize_t>(count, 0)));
+        *options.output += text;
+        if (options.echo) std::cout << text << std::flush;
+    }
+    close(pipe);
+}
+
+std::string crash_text(int signal) {
+    switch (signal) {
+    case SIGSEGV: return "crashed: memory that is not its own (an index out of range, or endless recursion)";
+    case SIGABRT: return "aborted: a rule that the program checks itself was broken";
+    case SIGFPE: return "crashed: division of an integer by zero";
+    case SIGTRAP:
+    case SIGILL: return "crashed: it reached code that must not be reached (a function without return?)";
+    case SIGBUS: return "crashed: memory that does not exist";
+    default: return "";
+    }
+}
+
+} // namespace
+
+ProcessResult run_process(const Words& command, const ProcessOptions& options) {
+    Words words = command;
+    const std::vector<char*> arguments = pointers_to(words);
+    const std::string log = options.log.string();
+    int ends[2] = {-1, -1};
+    if (options.output && pipe(ends) != 0) throw Error("cannot start " + command[0] + ": no pipe");
+    for (const int end : ends) fcntl(end, F_SETFD, FD_CLOEXEC);
+    std::cout.flush();
+    const pid_t child = fork();
+    if (child < 0) throw Error("cannot start " + command[0] + ": the system has no room for another process");
+    if (child == 0) start(arguments.data(), log.c_str(), ends[1], options);
+    close(ends[1]);
+    if (options.output) read_output(ends[0], child, options);
+    int status = 0;
+    rusage used{};
+    while (wait4(child, &status, 0, &used) < 0 && errno == EINTR) pass_on_stop(child);
+    if (stop_signal != 0) throw Stop{128 + stop_signal};
+    const auto seconds = [](const timeval& time) {
+        return double(time.tv_sec) + 1e-6 * double(time.tv_usec);
+    };
+    const double cpu = seconds(used.ru_utime) + seconds(used.ru_stime);
+    if (WIFEXITED(status)) {
+        if (WEXITSTATUS(status) == could_not_start) throw Error("cannot run " + command[0]);
+        return {WEXITSTATUS(status), false, cpu, ""};
+    }
+    const int signal = WTERMSIG(status);
+    const bool timed_out = signal == SIGALRM || signal == SIGXCPU || signal == SIGKILL;
+    return {128 + signal, timed_out, cpu, crash_text(signal)};
+}
+
+void replace_process(const Words& command) {
+    std::cout.flush();
+    for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_DFL);
+    Words words = command;
+    execvp(words[0].c_str(), pointers_to(words).data());
+    throw Error("cannot run " + command[0] + ": " + std::strerror(errno));
+}
+
+void handle_signals() {
+    for (const int signal : {SIGXFSZ, SIGPIPE}) std::signal(signal, SIG_IGN);
+    struct sigaction action {
+    }, before{};
+    action.sa_handler = note_stop; // without SA_RESTART: a signal ends what waits
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        sigaction(signal, nullptr, &before);
+        if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr); // nohup ignores HUP
+    }
+}
+
+void set_environment(const std::string& name, const std::string& value) {
+    setenv(name.c_str(), value.c_str(), 1);
+}
+
+bool is_terminal(int stream) {
+    return isatty(stream) == 1;
+}
+
+BuildLock::BuildLock(const fs::path& build) {
+    const fs::path place = fs::absolute(build / "").lexically_normal().parent_path().parent_path();
+    folder = open(place.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (folder < 0) return;
+    for (int tries = 0; flock(int(folder), LOCK_EX | LOCK_NB) != 0; ++tries) {
+        if (stop_signal != 0) throw Stop{128 + stop_signal};
+        if (errno != EWOULDBLOCK && errno != EINTR) return;
+        if (tries == 20) print_error_line("another ./learn is building in this folder; waiting for it ...");
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    }
+}
+
+BuildLock::~BuildLock() {
+    if (folder >= 0) close(int(folder));
+}
+
+namespace {
+
+/// The state of the terminal before and while Keys lives: all that a signal handler needs.
+termios terminal_before, terminal_now;
+
+void restore_terminal() {
+    tcsetattr(0, TCSANOW, &terminal_before);
+}
+
+/// A signal that ends the program restores the terminal first.
+extern "C" void end_by(int signal) {
+    restore_terminal();
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+}
+
+/// Ctrl-Z gives the terminal back to the shell; `fg` takes it again, `bg` does not.
+extern "C" void suspend(int) {
+    restore_terminal();
+    std::raise(SIGSTOP);
+}
+extern "C" void resume(int) {
+    const int error = errno;
+    if (tcgetpgrp(0) == getpgrp()) tcsetattr(0, TCSANOW, &terminal_now);
+    errno = error;
+}
+
+/// Leaves a signal alone that whoever started this program ignores, as nohup does.
+void handle(int signal, void (*handler)(int)) {
+    if (std::signal(signal, handler) == SIG_IGN) std::signal(signal, SIG_IGN);
+}
+
+} // namespace
+
+Keys::Keys() {
+    if (isatty(0) != 1 || tcgetattr(0, &terminal_before) != 0) return;
+    terminal_now = terminal_before;
+    terminal_now.c_lflag &= ~tcflag_t(ICANON | ECHO);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) handle(signal, end_by);
+    handle(SIGTSTP, suspend);
+    handle(SIGCONT, resume);
+    changed = tcsetattr(0, TCSANOW, &terminal_now) == 0;
+}
+
+Keys::~Keys() {
+    if (!changed) return;
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGTSTP, SIGCONT})
+        std::signal(signal, SIG_DFL);
+    restore_terminal();
+}
+
+std::optional<char> Keys::next(int milliseconds) const {
+    if (stop_signal != 0) throw Stop{128 + stop_signal};
+    pollfd input{0, POLLIN, 0};
+    if (poll(&input, 1, milliseconds) <= 0) return std::nullopt;
+    char key = 0;
+    const auto count = read(0, &key, 1);
+    if (count < 0 && errno == EINTR) return std::nullopt;
+    return count == 1 ? key : 'q';
+}
+
+} // namespace rt::tutor

@@ -1,0 +1,152 @@
+// Small helpers: words and tables, a hash, temporary folders, work on several threads.
+#pragma once
+
+#include "common/util/error.h"
+#include "common/util/file_bytes.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cstdint>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <mutex>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+namespace rt::tutor {
+
+using Words = std::vector<std::string>;
+
+/// A text's lines without their ends.
+inline Words lines_of(const std::string& text) {
+    Words lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
+}
+
+inline Words words_in(const std::string& text) {
+    Words words;
+    std::istringstream stream(text);
+    for (std::string word; stream >> word;) words.push_back(word);
+    return words;
+}
+
+/// The fields of a line, between the separators.
+inline Words fields_of(std::string_view line, char separator = '\t') {
+    Words fields(1);
+    for (const char c : line)
+        if (c == separator)
+            fields.emplace_back();
+        else
+            fields.back() += c;
+    return fields;
+}
+
+/// What stands after `begin` in the first line that begins with it; empty if there is none.
+inline std::string line_after(const std::string& text, const std::string& begin) {
+    for (const std::string& line : lines_of(text))
+        if (line.starts_with(begin)) return line.substr(begin.size());
+    return "";
+}
+
+/// Without blanks at either end.
+inline std::string trimmed(const std::string& text) {
+    const std::size_t first = text.find_first_not_of(" \t\r\n");
+    return first == text.npos ? "" : text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
+}
+
+inline std::string joined(const Words& words, const std::string& between) {
+    std::string text;
+    for (const std::string& word : words) text += (&word == words.data() ? "" : between) + word;
+    return text;
+}
+
+inline void append(Words& words, const Words& more) {
+    words.insert(words.end(), more.begin(), more.end());
+}
+
+template <typename Element, typename Value>
+bool contains(const std::vector<Element>& elements, const Value& value) {
+    return std::ranges::find(elements, value) != elements.end();
+}
+
+/// A cell of a table: `width` characters wide, aligned right, or left if `width` is negative.
+inline std::string cell(const std::string& text, int width) {
+    const std::size_t size = std::size_t(std::abs(width));
+    const std::string blanks(size - std::min(size, text.size()), ' ');
+    return width < 0 ? text + blanks : blanks + text;
+}
+
+/// "3 of 7".
+inline std::string part_of(std::size_t part, std::size_t whole, const std::string& between = " of ") {
+    return std::to_string(part) + between + std::to_string(whole);
+}
+
+class Hash {
+  public:
+    void add(std::string_view bytes) {
+        for (const char c : bytes) state = (state ^ std::uint8_t(c)) * 0x100000001b3u;
+        state = (state ^ 0x100) * 0x100000001b3u; // an end, so that "a" "bc" is not "ab" "c"
+    }
+    /// 16 hexadecimal digits.
+    std::string text() const {
+        char digits[17];
+        std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(state));
+        return digits;
+    }
+
+  private:
+    std::uint64_t state = 0xcbf29ce484222325u;
+};
+
+/// A new, empty folder that is removed in the end with everything in it. Its name cannot be guessed, and
+/// nothing stood there before: no link that another user has made.
+class TemporaryFolder {
+  public:
+    /// Throws Error if none can be made in `folder`.
+    explicit TemporaryFolder(const std::filesystem::path& folder = std::filesystem::temp_directory_path())
+        : path(folder / ("raysteps." + random_digits())) {
+        std::error_code failure;
+        if (!std::filesystem::create_directory(path, failure))
+            throw Error(folder.string() + ": no temporary folder can be made here; is it writable?");
+    }
+    ~TemporaryFolder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path, ignored);
+    }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    std::filesystem::path path;
+};
+
+/// Calls work(i) for all i below `count`, on `jobs` threads. Throws again the first exception that `work`
+/// throws.
+template <typename Work>
+void in_parallel(std::size_t count, int jobs, const Work& work) {
+    std::atomic<std::size_t> next = 0;
+    std::exception_ptr problem;
+    std::mutex mutex;
+    const auto run = [&] {
+        for (std::size_t i; (i = next++) < count;) {
+            try {
+                work(i);
+            } catch (...) {
+                const std::lock_guard lock(mutex);
+                if (!problem) problem = std::current_exception();
+                next = count;
+            }
+        }
+    };
+    std::vector<std::thread> threads;
+    for (int i = 0; i < jobs; ++i) threads.emplace_back(run);
+    for (std::thread& thread : threads) thread.join();
+    if (problem) std::rethrow_exception(problem);
+}
+
+} // namespace rt::tutor
