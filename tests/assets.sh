@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes the committed assets anew and compares: meshes byte by byte, pictures as pictures (another stb packs PNG otherwise).
+# Regenerates the committed assets and compares: meshes byte by byte, pictures by pixels (PNG compression may differ).
 # assets.sh MAKE_ASSETS COMPARE ASSETS OUT: exit 0 the same, 1 different.
 set -eu
 
@@ -14,7 +14,7 @@ for made in "$out"/*; do
     case $name in
         *.png) "$compare" "$made" "$assets/$name" && continue ;;
     esac
-    echo "$name is not what make_assets writes: make it anew, or mend make_assets"
+    echo "$name differs from the output of make_assets: regenerate it, or fix make_assets"
     bad=1
 done
 exit $bad

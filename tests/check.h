@@ -1,5 +1,4 @@
-// What the checks share: comparisons that say what was expected and what came, and statistics that say how
-// sure.
+// Shared by all checks: approximate comparison, readable failure output, means with standard errors.
 #pragma once
 
 #include "common/math/vec.h"
@@ -12,12 +11,12 @@
 #include <limits>
 #include <string>
 
-/// Marks a check that cannot be made on this machine, with the reason: ctest reports it as skipped.
+/// Marks a check that cannot run on this machine, with the reason; ctest reports it as skipped.
 #define SKIP_CHECK(reason) MESSAGE((std::string("[skipped] ") + (reason)))
 
 namespace rt {
 
-/// Nine significant digits: enough to tell any two floats apart.
+/// Returns nine significant digits, enough to distinguish any two floats.
 inline std::string to_text(double value) {
     char text[32];
     std::snprintf(text, sizeof text, "%.9g", value);
@@ -30,8 +29,8 @@ inline std::string to_text(vec3 v) {
     return "(" + to_text(v.x) + ", " + to_text(v.y) + ", " + to_text(v.z) + ")";
 }
 
-/// CHECK(got == approx(want)): each component differs by at most `tolerance` * max(1, |want|). A NaN equals
-/// nothing, an infinity only itself.
+/// The right-hand side of CHECK(got == approx(want)): each component may differ by at most `tolerance` *
+/// max(1, |want|). NaN equals nothing; an infinity equals only itself.
 template <typename Value>
 struct Approx {
     Value want;
@@ -62,7 +61,7 @@ inline bool operator==(vec3 got, const Approx<vec3>& approx) {
            got.z == Approx<float>{want.z, tolerance};
 }
 
-/// The mean of many numbers and how sure it is (Welford's running update, which does not cancel).
+/// The mean of a sequence and its standard error, by Welford's running update, which avoids cancellation.
 class Mean {
   public:
     void add(double value) {
@@ -74,14 +73,14 @@ class Mean {
 
     long long count() const { return n; }
     double mean() const { return average; }
-    /// Of one number, unbiased: sum of (value - mean)^2 / (n - 1).
+    /// Returns the unbiased variance of a single value: sum of (value - mean)^2 / (n - 1).
     double variance() const { return n < 2 ? 0 : squares / double(n - 1); }
-    /// Of the mean: sqrt(variance / n).
+    /// Returns the standard error of the mean: sqrt(variance / n).
     double standard_error() const { return n < 2 ? 0 : std::sqrt(variance() / double(n)); }
 
-    /// How many standard errors the mean lies above `expected`. A right renderer is beyond 4 in one run of
-    /// 16,000, so CHECK(std::abs(m.z(expected)) < 4). With no spread at all: 0 if the mean is right up to
-    /// rounding, else infinity.
+    /// Returns by how many standard errors the mean exceeds `expected`. A correct renderer exceeds |z| = 4 in
+    /// one run out of 16,000, so use CHECK(std::abs(m.z(expected)) < 4). If the values do not vary at all, z
+    /// is 0 if the mean is correct up to rounding, else infinity.
     double z(double expected) const {
         const double error = average - expected;
         if (standard_error() > 0) return error / standard_error();
@@ -90,7 +89,7 @@ class Mean {
                                            : std::copysign(std::numeric_limits<double>::infinity(), error);
     }
 
-    /// For INFO(m.against(expected)).
+    /// Returns the text for INFO(m.against(expected)).
     std::string against(double expected) const {
         return "expected " + to_text(expected) + ", got " + to_text(average) + " +- " +
                to_text(standard_error()) + " over " + std::to_string(n) + ", z = " + to_text(z(expected));
@@ -104,7 +103,7 @@ class Mean {
 
 } // namespace rt
 
-// How doctest prints these when a check fails.
+// How doctest prints these types when a check fails.
 namespace doctest {
 
 template <>

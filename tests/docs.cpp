@@ -1,4 +1,4 @@
-// The machine that keeps the chapters true: it finds what a marker names, and complains if it cannot.
+// Facts about the weaver, which keeps listings, outputs and links in the chapters in agreement with the code.
 #include "common/util/error.h"
 #include "tests/check.h"
 #include "tools/tutor/exercises.h"
@@ -79,7 +79,7 @@ std::string complaint_in(const std::vector<std::string>& lines) {
 
 } // namespace
 
-TEST_CASE("A listing is a whole declaration with the comment over it") {
+TEST_CASE("A listing is a whole declaration with the comment above it") {
     CHECK(region(source, "Shape", "") ==
           "/// A shape.\nstruct alignas(64) Shape {\n    int number = 0; // };\n};\n");
     CHECK(region(source, "Shapes", "") == "using Shapes = std::vector<Shape>;\n");
@@ -94,21 +94,20 @@ TEST_CASE("A listing of a template shows its definition, and brackets in quotes 
     CHECK(size.ends_with("    return int(of.size());\n}\n"));
 }
 
-TEST_CASE("Functions of one name are told apart by their parameters") {
+TEST_CASE("Overloaded functions are distinguished by their parameters") {
     CHECK(region(source, "meet(const Shapes", "")
               .starts_with("/// The other one.\ninline int meet(const Shapes&"));
     CHECK(region(source, "meet(const Shape&", "").starts_with("inline int meet(const Shape& shape"));
     CHECK(complaint_of("meet").starts_with("steps/x.h: declares meet 2 times"));
 }
 
-TEST_CASE("A name that is gone is a complaint, even if it is used") {
+TEST_CASE("A name that no longer exists is an error even if it is still used") {
     CHECK(complaint_of("shape") == "steps/x.h: declares no shape");
     CHECK(complaint_of("vector") == "steps/x.h: declares no vector");
     CHECK(complaint_of("number") == "steps/x.h: declares no number");
 }
 
-TEST_CASE(
-    "A marker without an end, an end without a marker and an unknown kind are complaints with their line") {
+TEST_CASE("A marker without an end, a stray end and an unknown kind are errors with their line") {
     CHECK(complaint_in({"", "<!-- listing: a.h -->", "x"}) == "docs/x.md:2: this marker has no <!-- end -->");
     CHECK(complaint_in({"<!-- end -->"}) == "docs/x.md:1: an end without a marker before it");
     CHECK(complaint_in({"<!-- lsting: a.h -->", "<!-- end -->"})
@@ -118,8 +117,7 @@ TEST_CASE(
     CHECK(complaint_in({"<!-- diff: a b -->", "<!-- end -->", "<!-- a word -->"}) == "");
 }
 
-TEST_CASE(
-    "Sources and pages that are cut short or damaged are complaints, or nothing: never another exception") {
+TEST_CASE("Truncated or damaged sources and pages cause an Error or nothing, but never another exception") {
     for (const char* text : {"alignas(", "requires(", "struct alignas(", "template<int>", "template",
                              "template <int>   ", "(", "};", "'"})
         CHECK_MESSAGE(complaint([&] { region(text, "x", "steps/x.h"); }) == "steps/x.h: declares no x",
@@ -138,7 +136,7 @@ TEST_CASE(
     CHECK(dead_links(folder.path, page, "docs/a.md").size() == 4);
 }
 
-TEST_CASE("Weaving fills the blocks and leaves all else as it is") {
+TEST_CASE("Weaving fills the blocks and leaves everything else unchanged") {
     const std::string page =
         "one\n<!-- listing: a -->\nold\nold\n<!-- end -->\ntwo\n<!-- listing: b -->\n<!-- end -->\n";
     std::string seen;
@@ -151,7 +149,7 @@ TEST_CASE("Weaving fills the blocks and leaves all else as it is") {
           "one\n<!-- listing: a -->\nnew a\n<!-- end -->\ntwo\n<!-- listing: b -->\nnew b\n<!-- end -->\n");
 }
 
-TEST_CASE("The commands of a page are the lines of its shell blocks, with the code that they name") {
+TEST_CASE("The commands of a page are the lines of its shell blocks with the exit codes that they state") {
     const auto commands = find_commands(lines_of("```sh\n./learn start 03\n\n./learn check 03    # exit 1: "
                                                  "nothing is written\n```\n```cpp\nint a;\n```\n"));
     REQUIRE(commands.size() == 2);
@@ -161,7 +159,7 @@ TEST_CASE("The commands of a page are the lines of its shell blocks, with the co
     CHECK(commands[1].number == 4);
 }
 
-TEST_CASE("Listings, diffs and galleries are made from files, and complain of what is not there") {
+TEST_CASE("Listings, diffs and galleries are made from files, and a missing file is an error") {
     const TemporaryFolder folder;
     const std::filesystem::path& root = folder.path;
     std::filesystem::create_directories(root / "steps");
@@ -175,8 +173,8 @@ TEST_CASE("Listings, diffs and galleries are made from files, and complain of wh
     CHECK_THROWS_AS(block_text(root, {"gallery", "09_none", 0, 0}), Error);
 }
 
-TEST_CASE("A page counts as changed if its commands do, or steps that it can use, but not for its prose or "
-          "later steps") {
+TEST_CASE(
+    "A page counts as changed if its commands or usable steps change, but not for prose or later steps") {
     const TemporaryFolder folder;
     const std::filesystem::path& root = folder.path;
     const auto write = [&](const std::string& name, const std::string& text) {
@@ -187,7 +185,7 @@ TEST_CASE("A page counts as changed if its commands do, or steps that it can use
     write("steps/01_a/a.h", "1");
     write("steps/02_b/b.h", "2");
     write("docs/01_a.md", "Prose.\n");
-    CHECK(page_key(root, "docs/01_a.md") == ""); // nothing is run
+    CHECK(page_key(root, "docs/01_a.md") == ""); // no command to run
     write("docs/01_a.md", "Prose.\n```sh\n./learn run 01\n```\n");
     const std::string key = page_key(root, "docs/01_a.md");
     write("docs/01_a.md", "Other prose.\n\n```sh\n./learn run 01\n```\n");
@@ -209,7 +207,7 @@ TEST_CASE("A page counts as changed if its commands do, or steps that it can use
     CHECK(page_key(root, "docs/01_a.md") != key);
 }
 
-TEST_CASE("Dead links, dead pictures, dead headings and dead paths are found, with their lines") {
+TEST_CASE("Dead links, pictures, headings and paths are found with their lines") {
     const TemporaryFolder folder;
     const std::filesystem::path& root = folder.path;
     std::filesystem::create_directories(root / "docs");

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# What the world does to a program that renders: full disks, too little memory, signals, closed streams, folders that
-# vanish. One line per fact. faults.sh BIN SCRATCH: exit 0 if all of them hold.
+# Facts about programs under external faults: full disks, too little memory, signals, closed streams, missing folders.
+# Prints one line per fact. faults.sh BIN SCRATCH: exit 0 if all of them hold.
 # shellcheck disable=SC2317 # fact calls the functions
 set -u
 
-# A full disk is a small one: mounted where only this script sees it, so that nothing of it stays.
+# A small tmpfs, mounted in a private namespace, serves as the full disk and vanishes with this script.
 if [ -z "${RAYSTEPS_OWN_MOUNTS-}" ] && unshare -m true 2>/dev/null; then
     export RAYSTEPS_OWN_MOUNTS=1
     exec unshare -m bash "$0" "$@"
@@ -13,7 +13,7 @@ fi
 bin=$(cd -- "$1" >/dev/null && pwd -P) || exit 2
 mkdir -p "$2" && cd -- "$2" >/dev/null || exit 2
 scratch=$(mktemp -d "$(pwd -P)/faults.XXXXXX") && cd -- "$scratch" || exit 2
-owner=$BASHPID # a child that a signal reaches before it becomes the program runs this trap too
+owner=$BASHPID # a child that receives a signal before its exec runs this trap too
 trap '[ "$BASHPID" != "$owner" ] || { cd /; rm -rf "$scratch"; }' EXIT
 chmod 755 "$scratch"
 mkdir tmp home
@@ -21,7 +21,7 @@ export TMPDIR=$scratch/tmp HOME=$scratch/home
 failed=0
 begin=$SECONDS
 
-fact() { # $1: the fact, in a sentence; the rest: a command that is true if it holds
+fact() { # $1: the fact as a sentence; the rest: a command that succeeds if it holds
     local sentence=$1
     shift
     if "$@"; then
@@ -33,15 +33,15 @@ fact() { # $1: the fact, in a sentence; the rest: a command that is true if it h
     fi
 }
 
-shown() { # $1: a file; its text in one line
+shown() { # prints the text of file $1 on one line
     head -c 600 "$1" | tr '\n' '|' | LC_ALL=C tr -c '[:print:]' '?'
 }
 
-skip() { # $1: what was not tried, $2: why
+skip() { # $1: what was not tested, $2: why
     echo "skipped  $1 ($2)"
 }
 
-run() { # renders a picture; $1: its width in units of 8 pixels; the rest: more flags
+run() { # renders a picture; $1: its width in units of 8 pixels; the rest: further options
     "$bin/01_spheres" --width $(($1 * 8)) --height $(($1 * 5)) --samples 1 "${@:2}" >out 2>err
     code=$?
 }
@@ -54,11 +54,11 @@ is_whole() { # $1: a picture
     "$bin/compare" "$1" "$1" >/dev/null 2>&1
 }
 
-no_part() { # nothing unfinished is left; $1: the folder
+no_part() { # succeeds if no unfinished file is left in folder $1
     [ -z "$(find "$1" -name '*.part')" ]
 }
 
-rescued() { # the picture is in the temporary folder, stderr says so, and the exit code is 2; $1: its ending
+rescued() { # the picture is in the temporary folder, stderr reports it, and the exit code is 2
     local place
     place=$(sed -n 's/.*; the new picture is \(.*\)$/\1/p' err | head -n 1)
     [ "$code" = 2 ] && [ "$(dirname -- "$place")" = "$TMPDIR" ] && is_whole "$place" && grep -qxF "wrote $place" out
@@ -69,27 +69,27 @@ rescued() { # the picture is in the temporary folder, stderr says so, and the ex
 full_disk() {
     mkdir small
     if ! mount -t tmpfs -o size=16k raysteps small 2>/dev/null; then
-        skip "a small disk that is full" "mounting is not allowed here"
+        skip "a full disk" "mounting is not permitted here"
         return
     fi
     run 6 --out small/a.png
     cp small/a.png old.png
     run 50 --out small/a.png
-    fact "on a full disk the old picture stays" same_as small/a.png old.png
-    fact "on a full disk nothing unfinished is left" no_part small
-    fact "on a full disk the new picture goes to the temporary folder, with exit code 2" rescued
-    fact "on a full disk the reason is said" grep -q "No space left on device" err
+    fact "on a full disk the old picture is kept" same_as small/a.png old.png
+    fact "on a full disk no unfinished file is left" no_part small
+    fact "on a full disk the new picture is saved in the temporary folder with exit code 2" rescued
+    fact "on a full disk the reason is reported" grep -q "No space left on device" err
     umount small
 }
 
-short_files() { # as `ulimit -f` has it: no file may be longer, wherever it is
+short_files() { # with the size of all files limited, by `ulimit -f`
     run 6 --out a.png
     cp a.png old.png
     (ulimit -f 4 && "$bin/01_spheres" --width 400 --height 250 --samples 1 --out a.png >out 2>err)
     code=$?
-    fact "where no file may be long, the old picture stays" same_as a.png old.png
-    fact "where no file may be long, nothing unfinished is left" no_part .
-    fact "where no file may be long, the loss is said, with exit code 2" said_lost
+    fact "with a limit on file sizes the old picture is kept" same_as a.png old.png
+    fact "with a limit on file sizes no unfinished file is left" no_part .
+    fact "with a limit on file sizes the loss is reported with exit code 2" said_lost
 }
 
 said_lost() {
@@ -104,7 +104,7 @@ vanishing_folder() {
     rm -r gone
     wait $!
     code=$?
-    fact "a folder that vanishes while a picture is rendered does not cost the picture" rescued
+    fact "a folder that is deleted while a picture is rendered does not cost the picture" rescued
 }
 
 read_only_folder() {
@@ -117,10 +117,10 @@ read_only_folder() {
         setpriv --reuid 65534 --clear-groups "$bin/01_spheres" --out locked/a.png >out 2>err
         code=$?
     else
-        skip "a folder without permission" "the superuser may write everywhere, and others do not reach this folder"
+        skip "a folder without permission" "root can write everywhere, and other users cannot reach this folder"
         return
     fi
-    fact "a folder without permission is refused before rendering, with the reason" refused "Permission denied"
+    fact "a folder without permission is rejected before rendering with the reason" refused "Permission denied"
 }
 
 refused() { # $1: a part of the reason
@@ -133,7 +133,7 @@ long_names() {
     run 6 --out "$name"
     fact "a name of 255 bytes is written" is_whole "$name"
     run 6 --out "n$name"
-    fact "a name of 256 bytes is refused before rendering, with the reason" refused "File name too long"
+    fact "a name of 256 bytes is rejected before rendering with the reason" refused "File name too long"
 }
 
 two_at_once() {
@@ -146,10 +146,10 @@ two_at_once() {
         codes+=$?
     done
     code=$codes
-    fact "two programs that write the same files at once both end well" [ "$codes" = 0000000000 ]
-    fact "two programs that write the same .png at once leave a whole one" is_whole both.png
-    fact "two programs that write the same .hdr at once leave a whole one" is_whole both.hdr
-    fact "two programs that write the same files at once leave nothing unfinished" no_part .
+    fact "two programs that write the same files simultaneously both succeed" [ "$codes" = 0000000000 ]
+    fact "two programs that write the same .png simultaneously leave a complete one" is_whole both.png
+    fact "two programs that write the same .hdr simultaneously leave a complete one" is_whole both.hdr
+    fact "two programs that write the same files simultaneously leave no unfinished file" no_part .
 }
 
 # --- memory ----------------------------------------------------------------------------------------------------------
@@ -169,12 +169,13 @@ short_memory() {
             wrong+=" $megabytes MB (exit code $code: $(tail -n 1 err))"
         fi
     done
-    fact "with any amount of memory a picture is written, or refused before rendering${wrong:+; not with$wrong}" \
+    fact "with any amount of memory a picture is written or rejected before rendering${wrong:+; not with$wrong}" \
         [ -z "$wrong" ]
     (ulimit -v 200000 && exec "$bin/01_spheres" --width 8000 --height 8000 --out m.png >out 2>err)
     code=$?
-    fact "with 200 MB of memory a picture of 2.6 GB is refused, with both numbers" refused "2.6 GB .* 0.2 GB"
-    fact "with 20 MB of memory a picture is refused, with 200 MB it is written" [ "${outcomes:0:1}${outcomes: -1}" = rw ]
+    fact "with 200 MB of memory a picture of 2.6 GB is rejected with both numbers" refused "2.6 GB .* 0.2 GB"
+    fact "with 20 MB of memory a picture is rejected and with 200 MB it is written" \
+        [ "${outcomes:0:1}${outcomes: -1}" = rw ]
 }
 
 # --- signals ---------------------------------------------------------------------------------------------------------
@@ -205,14 +206,14 @@ signals() {
         cp old.png s.png
         cp old.hdr s.hdr
     done
-    fact "INT, TERM, HUP and KILL leave each file old or new, and nothing unfinished${wrong:+; not so:$wrong}" \
+    fact "INT, TERM, HUP and KILL leave each file old or new and none unfinished${wrong:+; but:$wrong}" \
         [ -z "$wrong" ]
-    fact "at least one of the signals came in time ($stopped of 16)" [ $stopped -gt 0 ]
+    fact "at least one of the signals arrived in time ($stopped of 16)" [ $stopped -gt 0 ]
 }
 
-# --- streams and surroundings ----------------------------------------------------------------------------------------
+# --- streams and environment -----------------------------------------------------------------------------------------
 
-# Runs with streams that are closed or full and demands the exit code and a whole picture.
+# Runs a command with closed or full streams, and checks its exit code and that its picture is complete.
 stream() { # $1: the fact; $2: the exit code; the rest: the command
     local sentence=$1 expected=$2
     shift 2
@@ -238,7 +239,7 @@ early_reader() {
     local codes
     "$bin/01_spheres" "${small[@]}" 2>err | head -n 1 >out
     codes=${PIPESTATUS[0]}
-    [ "$codes" = 2 ] && codes=0 # the reader left before or after the last line
+    [ "$codes" = 2 ] && codes=0 # the reader may have closed the pipe before or after the last line
     return "$codes"
 }
 no_surroundings() { env -i "$bin/01_spheres" "${small[@]}" >out 2>err; }
@@ -247,10 +248,10 @@ streams() {
     stream "closed streams do not cost the picture" 0 no_streams
     stream "a closed stdout does not cost the picture" 0 no_stdout
     stream "a closed stderr does not cost the picture" 0 no_stderr
-    stream "a full stdout does not cost the picture, and is told" 2 full_stdout
+    stream "a full stdout does not cost the picture and is reported" 2 full_stdout
     stream "a full stderr does not cost the picture" 0 full_stderr
-    stream "a reader that leaves early does not cost the picture" 0 early_reader
-    stream "without any environment, as HOME or TERM, a picture is rendered" 0 no_surroundings
+    stream "a reader that closes the pipe early does not cost the picture" 0 early_reader
+    stream "without environment variables such as HOME or TERM a picture is rendered" 0 no_surroundings
 }
 
 escapes() {
@@ -266,7 +267,7 @@ escapes() {
     "$bin/05_mesh_bvh" --width 8 --height 8 --mesh escape.obj --out "$escape.png" >out 2>err
     code=$?
     fact "no escape sequence of a model reaches the terminal" no_control out err
-    fact "a name with escape sequences is a name" is_whole "$escape.png"
+    fact "a file name with escape sequences is valid" is_whole "$escape.png"
     cp escape.obj "$escape.obj"
     "$bin/06_textures" --width 8 --height 8 --mesh "$escape.obj" --out t.png >out 2>err
     code=$?
@@ -275,7 +276,7 @@ escapes() {
     fact "compare prints no escape sequence of a file's name" no_control out err
 }
 
-no_control() { # the files $@ hold text, and no control character but line ends
+no_control() { # the files $@ contain text without control characters other than line ends
     [ -s "${*: -1}" ] && ! LC_ALL=C grep -q "$(printf '[\001-\011\013-\037\177]\|\302[\200-\237]')" "$@"
 }
 
@@ -289,7 +290,7 @@ cores() {
     fact "a program that may use one core renders with one thread" grep -q " 1 thread$" out
 }
 
-# Two rays at each boundary: the work grows with a power of the depth.
+# Two rays at each boundary: the work grows exponentially with the depth.
 deepest_glass() {
     local deepest
     deepest=$("$bin/04_refraction" --help | tr -s ' \n' ' ' | sed 's/.*--depth N[^[]*\[0 to \([0-9]*\);.*/\1/')
@@ -298,7 +299,7 @@ deepest_glass() {
     fact "the largest depth of 04_refraction, $deepest, ends within seconds" ends_with 0 g.png
 }
 
-# Not a fault, but what faults of timing would break.
+# Not a fault, but timing errors would break it.
 same_bits() {
     local accel threads wrong=""
     for accel in brute bvh wide; do
@@ -309,7 +310,7 @@ same_bits() {
         done
     done
     code=0
-    fact "a mesh has the same bits on 1, 2, 3 and 7 threads, in each tree${wrong:+; not:$wrong}" [ -z "$wrong" ]
+    fact "a mesh gives the same bits on 1, 2, 3 and 7 threads in each tree${wrong:+; not:$wrong}" [ -z "$wrong" ]
 }
 
 full_disk

@@ -1,25 +1,26 @@
 #!/usr/bin/env bash
-# Every command of ./learn works as the first one in a fresh clone, by whatever way it is called; two at once wait for each
-# other, and what is broken is mended or named. Nothing is compiled: cmake, ctest and apt are stand-ins, which make programs that write what they are told to, or complain.
-# fresh.sh PROJECT TUTOR: exit 0 if all do; TUTOR is the real one.
+# Checks that every command of ./learn works as the first one in a fresh clone, however it is called; that simultaneous
+# builds wait for each other; and that broken files are repaired or reported. Nothing is compiled: cmake, ctest and apt
+# are stubs, whose programs write the files that their options name, or fail.
+# fresh.sh PROJECT TUTOR: exit 0 if all checks pass; TUTOR is the real tutor.
 set -u
 
 project=$1 tutor=$2
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-clone="$folder/a clone" # a blank in a path breaks what quotes badly
+clone="$folder/a clone" # a blank in the path reveals missing quotes
 stubs=$folder/stubs
 bad=0
 
 mkdir -p "$clone" "$stubs"
 tar -C "$project" --exclude=./build --exclude=./renders --exclude=./workshop --exclude=./.git -cf - . | tar -C "$clone" -xf -
 
-# What is built in place of a program. It makes every file that a flag names, and fails where its folder is missing.
+# The stub of every program. It creates every file that an option names, and fails if its folder is missing.
 cat >"$stubs/program" <<'END'
 #!/usr/bin/env bash
 name=$(basename "$0") flag=""
 root=$(cd "$(dirname "$0")/../../.." && pwd)
-write() { # $1: the file, $2: a file to copy, or nothing
+write() { # $1: the file, $2: a file to copy, optional
     cat "${2:-/dev/null}" >"$1" || exit 2
     [ -n "${2-}" ] || echo '{"a": 1}' >"$1"
 }
@@ -74,21 +75,21 @@ for target in "$@"; do
         -*) ;;
         *) make "$build" "$target" ;;
     esac
-    # The build tool names what it has made.
+    # Imitates the output of the build tool.
     echo "[1/1] Linking CXX executable bin/$target"
 done
 END
 
 printf '#!/bin/sh\necho "Total Tests: 1"\n' >"$stubs/ctest"
-# shellcheck disable=SC2016 # for the stand-in
+# shellcheck disable=SC2016 # expanded in the stub
 printf '#!/bin/sh\nshift 2\nprintf "%%s=installed " "$@"\n' >"$stubs/dpkg-query"
 printf '#!/bin/sh\necho "nothing is missing: no need for apt"\nexit 1\n' >"$stubs/apt-get"
 cp "$stubs/apt-get" "$stubs/ninja"
 chmod +x "$stubs"/*
 cp "$tutor" "$stubs/tutor"
 
-here=$clone learn=./learn # where it is called, and how
-first() { # $1: what the command says somewhere; the rest: its words
+here=$clone learn=./learn # the current folder and the command
+first() { # $1: a part of the output; the rest: the arguments
     local part=$1 said code
     shift
     rm -rf "$clone"/{build,renders,workshop}
@@ -128,13 +129,13 @@ first "next: ./learn start 01" status
 first "Hint 1 of 3" hint 03 reflected_ray
 first "reference counts again" undo --help
 
-# By a link to the project, by a link to the script, and with what makes cd print.
+# By a link to the project, by a link to the script, and with CDPATH, which makes cd print.
 ln -s "$clone" "$folder/linked"
 here=$folder/linked
 first "report.md" bench traversal --json "$folder/numbers.json"
 touch "$clone/build/bench/MARK"
 (cd "$clone" && PATH=$stubs:$PATH ./learn bench traversal >/dev/null 2>&1)
-[ -e "$clone/build/bench/MARK" ] || { echo "WRONG: another way to the project loses its build" && bad=1; }
+[ -e "$clone/build/bench/MARK" ] || { echo "WRONG: another path to the project loses its build" && bad=1; }
 here=$folder
 ln -s "a clone/learn" "$folder/learn"
 first "renders/03_mirror.png" run 03
@@ -148,26 +149,26 @@ unset CDPATH
 
 here=$clone learn=./learn
 
-# Two at once: one builds, the other says that it waits. The lock of one that was killed holds nobody up.
+# Two simultaneous builds: one builds, the other reports that it waits. The lock of a killed process blocks nothing.
 rm -rf "$clone/build"
 export SLOW=$folder/order
 (cd "$clone" && PATH=$stubs:$PATH ./learn run 03 >"$folder/said.1" 2>&1) &
 (cd "$clone" && PATH=$stubs:$PATH ./learn check 03 --no-picture >"$folder/said.2" 2>&1)
 wait
 awk 'NR % 2 ? $0 != "begin" : $0 != "end" { exit 1 }' "$SLOW" ||
-    { echo "WRONG: two build at once:" && cat "$SLOW" && bad=1; }
+    { echo "WRONG: two build simultaneously:" && cat "$SLOW" && bad=1; }
 grep -qs "another ./learn is building in this folder; waiting for it" "$folder"/said.[12] ||
-    { echo "WRONG: who waits does not say so" && bad=1; }
+    { echo "WRONG: a waiting ./learn does not report it" && bad=1; }
 [ "$(grep -l -e 'renders/03_mirror.png' -e 'hold' "$folder"/said.[12] | wc -l)" = 2 ] ||
-    { echo "WRONG: of two at once one fails" && cat "$folder"/said.[12] && bad=1; }
+    { echo "WRONG: one of two simultaneous builds fails" && cat "$folder"/said.[12] && bad=1; }
 (cd "$clone" && PATH=$stubs:$PATH exec ./learn run 03 >/dev/null 2>&1) &
 sleep 0.5
 kill -KILL $!
 wait 2>/dev/null
 unset SLOW
-(cd "$clone" && PATH=$stubs:$PATH timeout 20 ./learn run 03 >/dev/null 2>&1) || { echo "WRONG: a killed one blocks" && bad=1; }
+(cd "$clone" && PATH=$stubs:$PATH timeout 20 ./learn run 03 >/dev/null 2>&1) || { echo "WRONG: a killed ./learn still blocks" && bad=1; }
 
-# What ends it is its exit code.
+# The exit code names the signal that ended it.
 rm -rf "$clone/build"
 for signal in INT:130 TERM:143 HUP:129; do
     (cd "$clone" && export STOP=${signal%:*} && PATH=$stubs:$PATH ./learn run 03 >/dev/null 2>&1)
@@ -176,12 +177,12 @@ for signal in INT:130 TERM:143 HUP:129; do
 done
 [ -z "$(find "$clone/build" -name 'learn.??????')" ] || { echo "WRONG: a scratch folder is left" && bad=1; }
 
-# Broken files of the build are made anew; where nothing can be built one line says so.
+# Broken build files are regenerated; if nothing can be built, one line reports it.
 for file in build.ninja CMakeCache.txt; do
     echo garbage >"$clone/build/release/$file"
-    (cd "$clone" && PATH=$stubs:$PATH ./learn run 03 >/dev/null 2>&1) || { echo "WRONG: a broken $file stays" && bad=1; }
+    (cd "$clone" && PATH=$stubs:$PATH ./learn run 03 >/dev/null 2>&1) || { echo "WRONG: a broken $file is not repaired" && bad=1; }
 done
-refuses() { # $1: what the line says; the rest: the words
+refuses() { # $1: a part of the line; the rest: the arguments
     local part=$1 said code
     shift
     said=$(cd "$here" && PATH=$stubs:$PATH ./learn "$@" 2>&1)
@@ -193,7 +194,7 @@ refuses() { # $1: what the line says; the rest: the words
 }
 rm -rf "$clone/build"
 refuses "there is no step '99'" hint 99
-[ ! -e "$clone/build" ] || { echo "WRONG: a wrong word builds something" && bad=1; }
+[ ! -e "$clone/build" ] || { echo "WRONG: a wrong argument builds something" && bad=1; }
 touch "$clone/build"
 refuses "is a file of that name there" run 03
 refuses "is a file of that name there" status
@@ -204,7 +205,7 @@ for name in 'C#' 'a;b' 'a"b' $'a\nb'; do
     refuses "CMake builds in no folder with" run 03
     mv "$folder/$name" "$clone"
 done
-for name in "it's" "a & (b)" 'US$ 5'; do # which are nothing special
+for name in "it's" "a & (b)" 'US$ 5'; do # which need no special treatment
     mv "$clone" "$folder/$name"
     here=$folder/$name clone=$folder/$name
     first "renders/03_mirror.png" run 03
@@ -212,7 +213,7 @@ for name in "it's" "a & (b)" 'US$ 5'; do # which are nothing special
 done
 here=$clone
 
-# One learner with one step, since each file is saved and checked.
+# The benchmark of the edit loop, with a single step, because it saves and checks each file.
 rm -r "$clone"/steps/0[2-8]*
 first "checks, s" bench loop --json "$folder/loop.json"
 exit $bad

@@ -1,8 +1,9 @@
-// The main function of every test executable: doctest's, but a filter that selects no test case is an error; and
-// --reporters=lines tells other programs what comes of each check, one event a line, its parts between tabs:
+// The main function of all test executables: doctest's, with two additions.
+// A filter that selects no test case is an error, and --reporters=lines prints events for other programs, one
+// per line, with fields separated by tabs:
 //     case  name                              a test case begins
 //     fail  file:line  expression  expanded   an assertion failed
-//     note  text                              what was said to explain that
+//     note  text                              context or explanation of the failure before it
 //     end   name  ok|failed|skipped  seconds  the test case is over
 #define DOCTEST_CONFIG_IMPLEMENT
 #include <doctest/doctest.h>
@@ -14,14 +15,15 @@
 
 namespace {
 
-/// On one line, so that a reader can take lines and tabs apart.
+/// Replaces line breaks and tabs by spaces, so that a reader can split lines and fields.
 std::string one_line(std::string text) {
     std::ranges::replace_if(
         text, [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
     return text;
 }
 
-/// Each line is flushed at once: what a check that crashes or hangs has said is there.
+/// Reporter behind --reporters=lines. It flushes each line immediately, so that the output of a check that
+/// crashes or hangs is not lost.
 struct Lines : doctest::IReporter {
     std::ostream& out;
     std::string name;
@@ -78,7 +80,7 @@ struct Lines : doctest::IReporter {
 
 REGISTER_REPORTER("lines", 0, Lines);
 
-/// Notes how many test cases the filters let through.
+/// Counts the test cases that pass the filters.
 struct Counter : doctest::IReporter {
     inline static unsigned selected = 0;
 
@@ -107,7 +109,7 @@ REGISTER_LISTENER("counter", 0, Counter);
 int main(int argc, char** argv) {
     doctest::Context context(argc, argv);
     const int result = context.run();
-    if (context.shouldExit()) return result; // it was asked for a list, a count or help
+    if (context.shouldExit()) return result; // only a list, a count or help was requested
     if (Counter::selected == 0) {
         std::cerr << "error: no test case matches the filter\n";
         return 1;

@@ -1,4 +1,4 @@
-// Meshes and boxes to try trees on: strewn, flat, round, doubling.
+// Meshes and boxes to test trees on: random triangles, a flat grid, an icosphere, exponentially spaced boxes.
 #pragma once
 
 #include "05_mesh_bvh/aabb.h"
@@ -24,7 +24,7 @@ inline ObjModel empty_file() {
     return file;
 }
 
-/// Triangles of about this size, strewn over the unit cube.
+/// Builds triangles with edges of about `size`, scattered over the unit cube.
 inline ObjModel random_triangles(int count, float size, std::uint64_t seed = 1) {
     ObjModel file = empty_file();
     Random random(seed);
@@ -37,7 +37,7 @@ inline ObjModel random_triangles(int count, float size, std::uint64_t seed = 1) 
     return file;
 }
 
-/// 2 size^2 triangles that make the unit square of the plane z = .3; its lines of corners are shared.
+/// Builds 2 size^2 triangles that tile the unit square of the plane z = .3 and share their vertices.
 inline ObjModel flat_grid(int size) {
     ObjModel file = empty_file();
     for (int y = 0; y <= size; ++y)
@@ -54,7 +54,8 @@ inline ObjModel flat_grid(int size) {
     return file;
 }
 
-/// A ball of 20 * 4^level triangles: an icosahedron, each face cut in four, the corners moved to radius 1.
+/// Builds a unit sphere of 20 * 4^level triangles: an icosahedron, each face split in four, the vertices
+/// moved to radius 1.
 inline ObjModel icosphere(int level) {
     const float g = (1 + std::sqrt(5.0f)) / 2;
     ObjModel file = empty_file();
@@ -88,7 +89,7 @@ inline ObjModel icosphere(int level) {
     return file;
 }
 
-/// The cube [-1, 1]^3, two triangles a face, eight shared corners, no normals.
+/// Builds the cube [-1, 1]^3: two triangles per face, eight shared vertices, no normals.
 inline ObjModel cube() {
     ObjModel file = empty_file();
     for (int i = 0; i < 8; ++i)
@@ -121,7 +122,7 @@ inline bool encloses(const Aabb& outer, const Aabb& inner) {
     return all(lessThanEqual(outer.min, inner.min)) && all(greaterThanEqual(outer.max, inner.max));
 }
 
-/// Boxes at 2^k along an axis, so that each cut by equal bins splits off only a few of them.
+/// Returns boxes at 2^k along an axis, so that each split by equal bins separates only a few of them.
 inline std::vector<Aabb> exponential_chain(int from, int to, vec3 axis) {
     std::vector<Aabb> boxes;
     for (int k = from; k <= to; ++k) {

@@ -1,4 +1,4 @@
-// What most checks include and no learner changes: parsed once for all of them.
+// Precompiled header: what most checks include and no learner changes.
 #pragma once
 
 #include "tests/check.h"

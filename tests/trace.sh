@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The rays of one pixel are told as a tree: what the lamp's light meets, where mirrors send it, and what comes back.
-# trace.sh PROGRAM OUT: the traced program of step 03; exit 0 if all is told.
+# Checks the trace of one pixel's rays, a tree: shadow rays, reflections and the radiance that returns.
+# trace.sh PROGRAM OUT: PROGRAM is the traced program of step 03; exit 0 if the trace is complete.
 set -eu
 
 program=$1 out=$2
@@ -12,21 +12,21 @@ fail() {
     exit 1
 }
 
-# Somewhere in the middle row of the picture stands a mirror; its ray goes on one level deeper.
+# The middle row of the picture contains a mirror; its reflected ray is one level deeper.
 for ((x = 0; x < 640; x += 20)); do
     told=$(crop $x,200,$((x + 1)),201)
     if grep -q 'Mirror' <<<"$told" && grep -q 'free' <<<"$told"; then break; fi
 done
-grep -q 'meets material [0-9]*, a Mirror' <<<"$told" || fail "no mirror is met"
-grep -q '^    ray from ' <<<"$told" || fail "no ray goes on from it"
-grep -q '^    brings back (' <<<"$told" || fail "nothing comes back from there"
+grep -q 'meets material [0-9]*, a Mirror' <<<"$told" || fail "no ray hits a mirror"
+grep -q '^    ray from ' <<<"$told" || fail "no ray is reflected from it"
+grep -q '^    brings back (' <<<"$told" || fail "the reflected ray returns nothing"
 grep -q 'shadow ray from .*: free' <<<"$told" || fail "no shadow ray is free"
 
-# One sample of sixteen, unless another is asked for; there is no seventeenth.
+# The first of sixteen samples is traced unless another one is requested; there is no seventeenth.
 one=$(crop 320,240,321,241 | grep -c '^  brings back')
-[ "$one" = 1 ] || fail "$one samples are told, not one"
+[ "$one" = 1 ] || fail "$one samples are traced, not one"
 second=$(RAYSTEPS_TRACE_SAMPLE=2 crop 320,240,321,241 | grep -v '^wrote ')
 first=$(crop 320,240,321,241 | grep -v '^wrote ')
-[ "$first" != "$second" ] || fail "the second sample is the first one"
+[ "$first" != "$second" ] || fail "the second sample equals the first"
 none=$(RAYSTEPS_TRACE_SAMPLE=17 crop 320,240,321,241 | grep -c 'brings back' || true)
 [ "$none" = 0 ] || fail "there is a seventeenth sample"

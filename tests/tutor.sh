@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
-# A learner's way through the tutor, from start to undo, on the real steps and in a workshop that is gone at the end; and
-# what it says to wrong words.
-# tutor.sh TUTOR PROJECT: exit 0 if all is as it should be.
+# Checks a learner's session with the tutor, from start to undo, on the real steps and in a temporary workshop; and the
+# errors for wrong arguments.
+# tutor.sh TUTOR PROJECT: exit 0 if all checks pass.
 set -u
 
 tutor=$1
 project=$2
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-workshop="$folder/my workshop" # a blank in a path breaks what quotes badly
+workshop="$folder/my workshop" # a blank in the path reveals missing quotes
 bad=0
 
 wrong() {
@@ -22,16 +22,16 @@ run() { # sets $said, $erred and $code
     erred=$(cat "$folder/erred")
 }
 
-says() { # $1: what it must say; the rest: the words
+says() { # $1: a part of the output; the rest: the arguments
     local part=$1
     shift
     run "$@"
     [ $code = 0 ] || wrong "$*: exit $code and: $erred"
     [[ $said == *"$part"* ]] || wrong "$*: expected '$part', got: $said"
-    [[ $said != *$'\x1b'* ]] || wrong "$*: colours where no terminal is"
+    [[ $said != *$'\x1b'* ]] || wrong "$*: colours without a terminal"
 }
 
-refuses() { # $1: what the line says; the rest: the words
+refuses() { # $1: a part of the line; the rest: the arguments
     local part=$1
     shift
     run "$@"
@@ -40,9 +40,9 @@ refuses() { # $1: what the line says; the rest: the words
     fi
 }
 
-# The way of a learner.
+# A learner's session.
 says "next: ./learn start 01" status
-[ ! -e "$workshop" ] || wrong "looking at the status makes a folder"
+[ ! -e "$workshop" ] || wrong "showing the status creates a folder"
 says "Write 4 functions" start 03
 gap=$(grep -n "TODO: turn ray.direction" "$workshop/03_mirror/mirror.h" | cut -d: -f1)
 [[ $said == *"mirror.h:$gap  reflected_ray"* ]] || wrong "start 03: expected 'mirror.h:$gap  reflected_ray', got: $said"
@@ -61,15 +61,15 @@ grep -v '^ *//[<>]' "$project/steps/03_mirror/mirror.h" >"$workshop/03_mirror/mi
 says "mirror.h: as the reference" diff 03 mirror.h
 says "2 of 4 functions begun" status
 says "to get it back: mv '" undo 03 mirror.h
-[ ! -e "$workshop/03_mirror/mirror.h" ] || wrong "undo leaves the file"
+[ ! -e "$workshop/03_mirror/mirror.h" ] || wrong "undo does not move the file"
 back=$(printf '%s\n' "$said" | sed -n 's/^ *to get it back: //p')
-eval "$back" || wrong "the way back does not work: $back"
+eval "$back" || wrong "the command that undoes undo does not work: $back"
 says "as the reference" diff 03 mirror.h
 says "moved" undo 03
 says "03_mirror       not begun" status
 refuses "you have no files of 03_mirror" undo 03
 
-# Every step can be begun, in any order, and every exercise has its hints.
+# Every step can be started, in any order, and every exercise has its hints.
 for step in 08 01 07 02 06 03 05 04; do
     says "Write " start $step
     for name in $(printf '%s\n' "$said" | sed -n 's/^  .*\.h:[0-9]*  //p'); do
@@ -77,7 +77,7 @@ for step in 08 01 07 02 06 03 05 04; do
     done
 done
 
-# Wrong words.
+# Wrong arguments.
 refuses "there is no step '9'" start 9
 refuses "there is no step '03/..'" hint 03/..
 refuses "03_mirror has no exercise 'mirror'; it has reflect, reflected_ray" hint 03 mirror
@@ -89,7 +89,7 @@ refuses "excludes" hint 03 reflected_ray --again --all
 run start 9 --help
 [ $code = 0 ] || wrong "start --help: exit $code"
 
-# Nothing half-written: a folder that is a file, and a disk that takes no byte more.
+# No partial files: a folder that is a file, and a full disk.
 workshop=$folder/erred
 refuses "cannot make the folder" start 03
 workshop=$folder/full
@@ -97,7 +97,7 @@ workshop=$folder/full
     ulimit -f 0
     "$tutor" --root "$project" --workshop "$workshop" start 03
 ) >/dev/null 2>"/dev/null"
-[ $? = 2 ] || wrong "a full disk is no error"
+[ $? = 2 ] || wrong "a full disk is not an error"
 left=$(find "$workshop" -type f)
 [ -z "$left" ] || wrong "a full disk leaves $left"
 

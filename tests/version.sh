@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# CMakeLists.txt states the version. Checks that vcpkg.json, CITATION.cff, the newest entry of CHANGELOG.md and --version of
-# ./learn and of the given programs agree. version.sh ROOT PROGRAM ...
+# Checks that vcpkg.json, CITATION.cff, the newest entry of CHANGELOG.md, and --version of ./learn and of the given
+# programs state the version of CMakeLists.txt. version.sh ROOT PROGRAM ...
 set -u
 
 cd "$1" || exit 2

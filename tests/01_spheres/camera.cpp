@@ -1,4 +1,4 @@
-// Facts about the camera: the rays that it sends through the points of a picture.
+// Facts about the camera: the rays that it sends through the points of an image.
 #include "tests/check.h"
 
 #include "01_spheres/camera.h"
@@ -10,12 +10,11 @@
 
 using namespace rt;
 
-TEST_CASE("the centre ray of an even picture goes exactly along -z") {
+TEST_CASE("the ray through the centre of an even-sized picture points exactly along -z") {
     const Camera camera = make_camera({}, 200, 100);
     const Ray ray = camera_ray(camera, {100, 50});
-    CHECK_MESSAGE(ray.direction == vec3(0, 0, -1),
-                  "(0, 0, 1): +z was taken as forward. A little off: the picture "
-                  "reaches from pixel 0 to pixel 200, its middle is 100");
+    CHECK_MESSAGE(ray.direction == vec3(0, 0, -1), "(0, 0, 1): +z was taken as forward. A small deviation: "
+                                                   "the picture spans 0 to 200, so its centre is at 100");
     CHECK(ray.origin == vec3(0, 0, 0));
     CHECK(ray.t_min == 0);
     CHECK(ray.t_max == infinity);
@@ -27,22 +26,22 @@ TEST_CASE("at a field of view of 90 degrees the top ray leaves at 45 degrees") {
     CHECK_MESSAGE(
         slope == approx(1),
         hint(slope, {{-1, "the picture is upside down"},
-                     {1.6197752f, "tan(45): the angle in degrees was taken for radians"},
-                     {-1.9952004f, "tan(90): the angle in degrees was taken for radians, and not halved"},
-                     {0.5f, "the field of view is vertical: the aspect belongs to the width"},
-                     {2, "the field of view is vertical: the aspect belongs to the width"}}));
+                     {1.6197752f, "tan(45): the angle in degrees was used as radians"},
+                     {-1.9952004f, "tan(90): the angle in degrees was used as radians, and not halved"},
+                     {0.5f, "the field of view is vertical: the aspect ratio applies to the width"},
+                     {2, "the field of view is vertical: the aspect ratio applies to the width"}}));
     CHECK(camera_ray(make_camera({.fov = 90}, 200, 100), {100, 100}).direction.y / -top.z == approx(-1));
 }
 
 TEST_CASE("the edge of a picture twice as wide as high has twice the slope") {
     const vec3 right = camera_ray(make_camera({.fov = 90}, 200, 100), {200, 50}).direction;
     const float slope = right.x / -right.z;
-    CHECK_MESSAGE(slope == approx(2), hint(slope, {{1, "the aspect was ignored: balls become ellipses"},
-                                                   {0.5f, "the aspect is inverted: height / width"},
+    CHECK_MESSAGE(slope == approx(2), hint(slope, {{1, "the aspect ratio was ignored: balls become ellipses"},
+                                                   {0.5f, "the aspect ratio is inverted: height / width"},
                                                    {-2, "the picture is mirrored"}}));
     const vec3 narrow = camera_ray(make_camera({.fov = 90}, 100, 200), {100, 100}).direction;
     CHECK_MESSAGE(narrow.x / -narrow.z == approx(0.5f),
-                  "in a tall picture, too, the field of view is vertical");
+                  "the field of view is vertical in a tall picture, too");
 }
 
 TEST_CASE("the field of view is the angle from the lower to the upper edge") {
@@ -53,7 +52,8 @@ TEST_CASE("the field of view is the angle from the lower to the upper edge") {
         INFO("fov " << fov);
         CHECK(std::acos(dot(top, bottom)) / degrees == approx(fov, 1e-4f));
         const vec3 right = camera_ray(camera, {300, 100}).direction;
-        CHECK_MESSAGE(right.x / -right.z == approx(1.5f * std::tan(fov / 2 * degrees)), "pixels are square");
+        CHECK_MESSAGE(right.x / -right.z == approx(1.5f * std::tan(fov / 2 * degrees)),
+                      "pixels must be square");
     }
 }
 
@@ -64,7 +64,7 @@ TEST_CASE("pixel (0, 0) is the top left corner of the picture") {
     CHECK_MESSAGE(first.y > 0, "the picture is upside down");
     const vec3 last = camera_ray(camera, {39.5f, 29.5f}).direction;
     CHECK_MESSAGE(last == approx(vec3(-first.x, -first.y, first.z)),
-                  "the picture is symmetric about its middle");
+                  "the picture is symmetric about its centre");
 }
 
 TEST_CASE("the points of a picture lie evenly on a flat screen") {
@@ -75,7 +75,7 @@ TEST_CASE("the points of a picture lie evenly on a flat screen") {
     };
     const vec2 step = on_screen(21, 16) - on_screen(20, 15);
     CHECK_MESSAGE(on_screen(37, 3) == approx(vec2(17, -12) * step, 1e-4f),
-                  "equal angles are not equal pixels");
+                  "equal steps in the picture are equal steps on the screen, not equal angles");
     CHECK(step.x == approx(-step.y));
 }
 
@@ -88,7 +88,7 @@ TEST_CASE("every ray of the camera has unit length and starts at the camera") {
     }
 }
 
-TEST_CASE("an oblique camera looks at its point, with what is up in the upper half") {
+TEST_CASE("an oblique camera looks at its target, and `up` points to the upper half of the picture") {
     const LookAt look_at{{4, 3, 2}, {1, 1, -1}, {0.4f, 1, 0.1f}, 50};
     const Camera camera = make_camera(look_at, 60, 40);
     const vec3 forward = normalize(look_at.at - look_at.from);
@@ -97,7 +97,7 @@ TEST_CASE("an oblique camera looks at its point, with what is up in the upper ha
     const vec3 bottom = camera_ray(camera, {30, 40}).direction;
     const vec3 left = camera_ray(camera, {0, 20}).direction;
     const vec3 right = camera_ray(camera, {60, 20}).direction;
-    CHECK_MESSAGE(centre == approx(forward), "the middle of the picture shows look_at.at");
+    CHECK_MESSAGE(centre == approx(forward), "the centre of the picture shows look_at.at");
     const vec3 side = cross(forward, look_at.up);
     CHECK_MESSAGE(dot(top, side) == approx(0), "the middle column lies in the plane of `forward` and `up`");
     CHECK_MESSAGE(dot(bottom, side) == approx(0),
@@ -105,20 +105,20 @@ TEST_CASE("an oblique camera looks at its point, with what is up in the upper ha
     CHECK_MESSAGE(dot(top, look_at.up) > dot(centre, look_at.up), "the picture is upside down");
     CHECK_MESSAGE(dot(right, side) > 0, "the picture is mirrored");
     CHECK(dot(left, side) == approx(-dot(right, side)));
-    CHECK_MESSAGE(dot(top - bottom, right - left) == approx(0), "rows and columns are at right angles");
+    CHECK_MESSAGE(dot(top - bottom, right - left) == approx(0), "rows and columns must be perpendicular");
     CHECK_MESSAGE(dot(top, bottom) == approx(std::cos(50 * degrees)), "the field of view is 50 degrees");
     CHECK_MESSAGE(dot(right, forward) == approx(std::cos(std::atan(1.5f * std::tan(25 * degrees)))),
-                  "`right` must have unit length even where `up` is oblique or long");
+                  "`right` must have unit length even if `up` is oblique or not of unit length");
 }
 
-TEST_CASE("neither the distance to the point nor the length of up changes the picture") {
+TEST_CASE("neither the distance to the target nor the length of `up` changes the picture") {
     const Camera one = make_camera({{4, 3, 2}, {1, 1, -1}, {0.4f, 1, 0.1f}, 50}, 60, 40);
     const Camera other = make_camera({{4, 3, 2}, {-2, -1, -4}, {2, 5, 0.5f}, 50}, 60, 40);
     for (const vec2 pixel : {vec2(0, 0), vec2(60, 0), vec2(13, 37)})
         CHECK(camera_ray(one, pixel).direction == approx(camera_ray(other, pixel).direction));
 }
 
-TEST_CASE("the first sample of a pixel is its middle, and the others spread evenly over it") {
+TEST_CASE("the first sample of a pixel is at its centre, and the others spread evenly over it") {
     CHECK(r2_offset(0) == vec2(0.5f));
     int count[4][4] = {};
     bool within = true;
@@ -130,10 +130,10 @@ TEST_CASE("the first sample of a pixel is its middle, and the others spread even
         ++count[int(4 * p.x)][int(4 * p.y)];
         different.insert({p.x, p.y});
     }
-    REQUIRE_MESSAGE(within, "a sample lies outside of its pixel");
+    REQUIRE_MESSAGE(within, "a sample lies outside its pixel");
     CHECK(different.size() == 1600);
     for (const auto& row : count)
         for (const int samples : row)
             CHECK_MESSAGE(std::abs(samples - 100) <= 20,
-                          "of 1600 samples each sixteenth of a pixel gets about 100");
+                          "each sixteenth of a pixel must get about 100 of the 1600 samples");
 }

@@ -1,4 +1,4 @@
-// Facts about the options of the camera: what is typed, what stays, and what is refused.
+// Facts about the camera's options: what the user sets, what keeps its default, and what is rejected.
 #include "tests/check.h"
 
 #include "01_spheres/program/options.h"
@@ -9,7 +9,7 @@
 using namespace rt;
 
 namespace {
-/// The pose that these words of a command line ask for.
+/// Returns the camera pose that these command-line words select.
 LookAt typed(std::vector<const char*> words, const LookAt& initial, const LookAt* other = nullptr) {
     Options options("01_test", "Where does the camera stand?", {});
     const CameraOptions camera_options(options, initial);
@@ -19,7 +19,7 @@ LookAt typed(std::vector<const char*> words, const LookAt& initial, const LookAt
 }
 } // namespace
 
-TEST_CASE("the knobs move the camera, and what is not typed stays") {
+TEST_CASE("options move the camera and unset options keep their defaults") {
     const LookAt initial{{1, 2, 3}, {0, 1, 0}, {0, 1, 0.5f}, 30};
     const LookAt plain = typed({}, initial);
     CHECK(plain.from == initial.from);
@@ -37,31 +37,32 @@ TEST_CASE("the knobs move the camera, and what is not typed stays") {
     CHECK(turned.up == vec3(1, 0, 0));
 }
 
-TEST_CASE("a pose that a scene proposes gives way to what is typed") {
+TEST_CASE("options on the command line override the pose that a scene proposes") {
     const LookAt initial{{1, 2, 3}, {0, 1, 0}, {0, 1, 0}, 30}, scene{{9, 9, 9}, {8, 7, 6}, {1, 0, 0}, 55};
     const LookAt look_at = typed({"--at", "0,0,1", "--fov", "30"}, initial, &scene);
     CHECK(look_at.from == scene.from);
     CHECK(look_at.at == vec3(0, 0, 1));
     CHECK(look_at.up == scene.up);
-    CHECK_MESSAGE(look_at.fov == 30, "it was typed, though it is the default");
+    CHECK_MESSAGE(look_at.fov == 30,
+                  "the user gave this value explicitly, even though it equals the default");
 }
 
-TEST_CASE("what is typed counts from the user's origin, to the last digit") {
+TEST_CASE("coordinates on the command line are relative to the scene's origin and lose no digits") {
     const LookAt initial{{1, 2, 3}, {0, 1, 0}, {0, 1, 0}, 30};
     const LookAt scene{.from = {1, 2, 3}, .at = {0, 0, 0}, .origin = {500000, 120, 4649776}};
     const LookAt look_at = typed({"--from", "500003.25,121.5,4649774.125"}, initial, &scene);
-    CHECK_MESSAGE(look_at.from == vec3(3.25f, 1.5f, -1.875f), "the difference is taken in double");
-    CHECK_MESSAGE(look_at.at == vec3(0), "what is not typed is the scene's own");
+    CHECK_MESSAGE(look_at.from == vec3(3.25f, 1.5f, -1.875f), "the difference must be computed in double");
+    CHECK_MESSAGE(look_at.at == vec3(0), "unset options use the scene's own values");
 }
 
-TEST_CASE("a camera that cannot stand like that is refused") {
+TEST_CASE("an impossible camera pose is rejected") {
     const LookAt initial{{1, 2, 3}, {0, 1, 0}, {0, 1, 0}, 30};
     CHECK_THROWS_AS(typed({"--from", "0,1,0"}, initial), Error); // from = at
-    CHECK_THROWS_AS(typed({"--up", "0,0,0"}, initial), Error);   // no up
+    CHECK_THROWS_AS(typed({"--up", "0,0,0"}, initial), Error);   // up has no direction
     CHECK_THROWS_AS(typed({"--up", "2,2,6"}, initial), Error);   // along the line of sight
     CHECK_THROWS_AS(typed({"--from", "0,9,0"}, initial), Error); // straight above
     CHECK_THROWS_AS(typed({"--up", "0,0,0"}, initial, &initial), Error);
-    CHECK_NOTHROW(typed({"--up", "0,0.001,0"}, initial)); // short, but no less a direction
+    CHECK_NOTHROW(typed({"--up", "0,0.001,0"}, initial)); // short, but still a direction
     std::string message;
     try {
         typed({"--from", "0,1,0"}, initial);
@@ -69,5 +70,5 @@ TEST_CASE("a camera that cannot stand like that is refused") {
         message = error.what();
     }
     CHECK_MESSAGE(message.find("--up") == std::string::npos,
-                  "up is not to blame where --from is --at: ", message);
+                  "if --from equals --at, the message must not blame --up: ", message);
 }

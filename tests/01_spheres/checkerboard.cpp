@@ -7,7 +7,7 @@
 
 using namespace rt;
 
-TEST_CASE("the squares of a checker alternate on both sides of zero") {
+TEST_CASE("the squares of a checkerboard alternate on both sides of zero") {
     const Checkerboard checkerboard{{0.8f, 0, 0}, {0, 0.3f, 0}, 0.5f};
     for (int row = -4; row < 4; ++row)
         for (int column = -4; column < 4; ++column) {
@@ -17,7 +17,7 @@ TEST_CASE("the squares of a checker alternate on both sides of zero") {
                 INFO("square (" << column << ", " << row << ") at uv = " << to_text(uv));
                 CHECK_MESSAGE(evaluate(checkerboard, uv).albedo ==
                                   approx(even ? checkerboard.even : checkerboard.odd),
-                              "a cast to int makes the two squares beside zero one: take floor");
+                              "a cast to int merges the two squares beside zero: use floor");
             }
         }
 }

@@ -1,4 +1,4 @@
-// Facts about a hit: the side that its normals are on, where it lies, and how far it may be off.
+// Facts about a hit: the side of its normals, its position, and the error bound of the position.
 #include "tests/check.h"
 
 #include "01_spheres/hit.h"
@@ -12,7 +12,7 @@
 using namespace rt;
 using glm::dvec3;
 
-TEST_CASE("a hit turns both of its normals to the side that the ray comes from") {
+TEST_CASE("both normals of a hit face the side from which the ray comes") {
     const vec3 true_normal = normalize(vec3(1, 2, -2));
     const vec3 smooth = normalize(vec3(1.5f, 2, -2));
     const Ray toward{{5, 5, 5}, {-1, -3, 0.5f}, 0, 2}; // against the normal
@@ -21,23 +21,24 @@ TEST_CASE("a hit turns both of its normals to the side that the ray comes from")
     CHECK(front.geometric_normal == approx(true_normal));
     CHECK_FALSE(front.back_face);
 
-    const Ray along{{5, 5, 5}, {1, 3, -0.5f}, 0, 2}; // with the normal: it comes from behind
+    const Ray along{{5, 5, 5}, {1, 3, -0.5f}, 0, 2}; // along the normal: from behind
     const Hit back = make_hit(along, true_normal, smooth, {0.3f, 0.6f}, 4);
     CHECK_MESSAGE(back.shading_normal == approx(-smooth),
-                  "not turned: surfaces seen from behind will be black");
-    CHECK_MESSAGE(back.geometric_normal == approx(-true_normal), "not turned: offsets will go the wrong way");
-    CHECK_MESSAGE(back.back_face, "d.n > 0 means that the ray leaves");
+                  "not flipped: surfaces seen from behind will be black");
+    CHECK_MESSAGE(back.geometric_normal == approx(-true_normal),
+                  "not flipped: ray offsets will point the wrong way");
+    CHECK_MESSAGE(back.back_face, "d.n > 0 means that the ray leaves the surface");
     for (const Hit& hit : {front, back}) {
         CHECK(hit.uv == approx(vec2(0.3f, 0.6f)));
         CHECK(hit.material == 4);
     }
 }
 
-TEST_CASE("the true surface says on which side a ray is, not the smooth normal") {
+TEST_CASE("the geometric normal decides on which side a ray is and not the shading normal") {
     const Hit hit =
         make_hit(Ray{{0, 0, 0}, {1, -0.1f, 0}, 0, 2}, {0, 1, 0}, normalize(vec3(0.4f, 1, 0)), {0, 0}, 0);
     CHECK_FALSE_MESSAGE(hit.back_face,
-                        "at a grazing angle an interpolated normal may lean away from the ray");
+                        "at a grazing angle an interpolated normal may point away from the ray");
     CHECK(hit.geometric_normal == approx(vec3(0, 1, 0)));
 }
 
@@ -47,7 +48,7 @@ TEST_CASE("a hit lies at the end of its ray") {
     CHECK(hit.position == approx(vec3(-5, 3.5f, 15)));
 }
 
-TEST_CASE("a hit knows how far its position may be off, near and far from the origin") {
+TEST_CASE("the error bound of a hit's position holds near and far from the origin") {
     Random random(4);
     double worst = 0;
     for (int i = 0; i < 10000; ++i) {
@@ -63,6 +64,7 @@ TEST_CASE("a hit knows how far its position may be off, near and far from the or
         worst = std::max(worst, off / double(hit.position_error));
         if (!(hit.position_error > 0 && hit.position_error < 1e-4f * 3 * scale)) worst = infinity;
     }
-    CHECK_MESSAGE(worst < 1,
-                  "as a share of hit.position_error (infinity: an error of 0, or one that can be seen)");
+    CHECK_MESSAGE(
+        worst < 1,
+        "worst error as a fraction of hit.position_error (infinity: the bound is 0 or large enough to see)");
 }

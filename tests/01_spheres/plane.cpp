@@ -1,4 +1,4 @@
-// Facts about where a ray meets a plane, and the metres that are its uv.
+// Facts about ray-plane intersection, and about uv coordinates in metres.
 #include "tests/check.h"
 
 #include "01_spheres/plane.h"
@@ -8,24 +8,23 @@
 
 using namespace rt;
 
-TEST_CASE("a ray meets an oblique plane where it crosses it") {
+TEST_CASE("a ray hits an oblique plane where it crosses it") {
     const vec3 normal = vec3(2, 3, 6) / 7.0f;
     const Plane plane{{1, 1, 1}, normal, 3};
-    // 7 metres above the plane, sinking 2 metres for each unit of t
+    // 7 metres above the plane, descending 2 metres per unit of t
     const Ray ray{plane.point + 7.0f * normal + 4.0f * beside(normal),
                   -2.0f * normal + 1.5f * beside(normal)};
     const float t = t_of(intersect(plane, ray));
-    CHECK_MESSAGE(t == approx(3.5f), hint(t, {{-3.5f, "the sign of O - P"},
-                                              {7, "that is the distance: divide by d.n"},
-                                              {14, "multiplied by d.n where it should be divided"},
-                                              {miss, "a miss: the sign of O - P"}}));
-    CHECK_FALSE_MESSAGE(intersect(plane, Ray{ray.origin, -ray.direction}), "the plane lies behind");
-    CHECK_FALSE_MESSAGE(intersect(plane, Ray{ray.origin, ray.direction, 0, 3}),
-                        "the plane lies beyond t_max");
-    CHECK_FALSE_MESSAGE(intersect(plane, Ray{ray.origin, ray.direction, 4}), "the plane lies before t_min");
+    CHECK_MESSAGE(t == approx(3.5f), hint(t, {{-3.5f, "O - P has the wrong sign"},
+                                              {7, "this is the distance: divide by d.n"},
+                                              {14, "multiplied by d.n instead of divided"},
+                                              {miss, "a miss: O - P has the wrong sign"}}));
+    CHECK_FALSE_MESSAGE(intersect(plane, Ray{ray.origin, -ray.direction}), "the plane is behind the ray");
+    CHECK_FALSE_MESSAGE(intersect(plane, Ray{ray.origin, ray.direction, 0, 3}), "the plane is beyond t_max");
+    CHECK_FALSE_MESSAGE(intersect(plane, Ray{ray.origin, ray.direction, 4}), "the plane is before t_min");
 }
 
-TEST_CASE("a ray along a plane misses it") {
+TEST_CASE("a ray parallel to a plane misses it") {
     const Plane floor{{0, 1, 0}, {0, 1, 0}, 0};
     CHECK_FALSE(intersect(floor, Ray{{0, 2, 0}, {3, 0, 1}}));
     CHECK_FALSE(intersect(floor, Ray{{0, 0, 0}, {3, 0, 1}}));
@@ -48,8 +47,8 @@ TEST_CASE("a plane has two sides") {
 
 TEST_CASE("on a floor u runs along +x and v along -z, in metres") {
     const Plane floor{{2, -1, 3}, {0, 1, 0}, 0};
-    const Hit hit = surface_hit(floor, Ray{{4.5f, 1, 4}, {0, -0.5f, 0}, 0, 4}); // meets (4.5, -1, 4)
-    CHECK_MESSAGE(hit.uv == approx(vec2(2.5f, -1)), "uv counts from plane.point");
+    const Hit hit = surface_hit(floor, Ray{{4.5f, 1, 4}, {0, -0.5f, 0}, 0, 4}); // hits (4.5, -1, 4)
+    CHECK_MESSAGE(hit.uv == approx(vec2(2.5f, -1)), "uv is measured from plane.point");
 }
 
 TEST_CASE("on any plane the uv of two points are as far apart as the points") {

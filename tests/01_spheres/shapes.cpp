@@ -1,4 +1,4 @@
-// Facts about a scene: the numbers of its materials, and which of its shapes a ray meets first.
+// Facts about a scene: the indices of its materials, and which shape a ray hits first.
 #include "tests/check.h"
 
 #include "01_spheres/scene.h"
@@ -11,7 +11,7 @@
 
 using namespace rt;
 
-TEST_CASE("add answers the number of the material") {
+TEST_CASE("add returns the index of the material") {
     Scene scene;
     CHECK(add(scene.materials, Diffuse{vec3(0.1f)}) == 0);
     CHECK(add(scene.materials, Checkerboard{vec3(0.1f), vec3(0.2f)}) == 1);
@@ -20,15 +20,17 @@ TEST_CASE("add answers the number of the material") {
     CHECK(std::holds_alternative<Checkerboard>(scene.materials[1]));
 }
 
-TEST_CASE("in an empty scene a ray meets nothing") {
+TEST_CASE("in an empty scene a ray hits nothing") {
     CHECK_FALSE(intersect(Scene{}, Ray{{0, 0, 0}, {0, 0, -1}}));
 }
 
-TEST_CASE("of many shapes a ray meets the nearest, in whatever order they stand") {
-    // Along the ray: a ball at t = 2, a plane at 3, balls at 4, 5 and 6. Each has its number for a material.
+TEST_CASE("of many shapes a ray hits the closest, whatever their order") {
+    // Along the ray: a ball at t = 2, a plane at 3, balls at 4, 5 and 6. The material of each is its t.
     const vec3 origin(3, 1, -2);
     const vec3 direction = 2.0f * vec3(2, -3, 6) / 7.0f;
-    const auto place = [&](float t) { return origin + (t + 0.25f) * direction; }; // of a ball of radius .5
+    const auto place = [&](float t) {
+        return origin + (t + 0.25f) * direction;
+    }; // the centre of a ball of radius .5
     std::vector<Sphere> balls{
         {place(2), 0.5f, 2}, {place(4), 0.5f, 4}, {place(5), 0.5f, 5}, {place(6), 0.5f, 6}};
     const Plane plane{origin + 3.0f * direction, normalize(vec3(1, -1, 3)), 3};
@@ -42,7 +44,7 @@ TEST_CASE("of many shapes a ray meets the nearest, in whatever order they stand"
             INFO("t in (" << t_min << ", " << t_max
                           << "), first ball in the list: " << scene.spheres[0].material);
             REQUIRE(hit);
-            CHECK_MESSAGE(hit->material == material, "materials count the shapes along the ray");
+            CHECK_MESSAGE(hit->material == material, "each material is the t at which the shape begins");
             CHECK(hit->t == approx(t));
             CHECK(hit->position == approx(origin + t * direction));
         };
@@ -55,11 +57,11 @@ TEST_CASE("of many shapes a ray meets the nearest, in whatever order they stand"
         CHECK_FALSE(intersect(scene, Ray{origin, direction, 0, 1.9f}));
         CHECK_FALSE(intersect(scene, Ray{origin, direction, 6.6f}));
         CHECK_FALSE(intersect(scene, Ray{origin, direction, 2.6f, 2.9f}));
-        CHECK_FALSE_MESSAGE(intersect(scene, Ray{origin, -direction}), "all of them lie behind");
+        CHECK_FALSE_MESSAGE(intersect(scene, Ray{origin, -direction}), "all shapes are behind the ray");
     } while (std::next_permutation(order.begin(), order.end()));
 }
 
-TEST_CASE("a plane before and a ball behind it are told apart, and the other way round") {
+TEST_CASE("a plane in front of a ball is hit first, and the other way round") {
     Scene scene;
     scene.planes = {{{0, 0, -6}, {0, 0, 1}, 1}, {{0, 0, -9}, {0, 0, 1}, 2}};
     scene.spheres = {{{0, 0, -5}, 0.5f, 3}, {{2, 0, -7.5f}, 0.5f, 4}};
@@ -70,7 +72,7 @@ TEST_CASE("a plane before and a ball behind it are told apart, and the other way
     CHECK(intersect(scene, Ray{{2, 0, -8.5f}, {0, 0, 3}})->material == 4);
 }
 
-TEST_CASE("the nearest of a hundred balls is the one with the smallest t") {
+TEST_CASE("the closest of a hundred balls is the one with the smallest t") {
     Random random(6);
     Scene scene;
     for (int i = 0; i < 100; ++i)
@@ -89,6 +91,6 @@ TEST_CASE("the nearest of a hundred balls is the one with the smallest t") {
         hits += nearest >= 0;
         wrong += (hit ? hit->material : -1) != nearest;
     }
-    CHECK_MESSAGE(wrong == 0, wrong << " of 3000 rays met another ball, of " << hits << " that meet any");
+    CHECK_MESSAGE(wrong == 0, wrong << " of 3000 rays hit the wrong ball; " << hits << " of them hit any");
     CHECK(hits > 1000);
 }

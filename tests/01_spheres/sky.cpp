@@ -1,4 +1,4 @@
-// Facts about the sky: its radiance, and what it sheds on a surface.
+// Facts about the sky: its radiance, and the irradiance on a surface below it.
 #include "tests/check.h"
 
 #include "01_spheres/sky.h"
@@ -8,17 +8,17 @@
 using namespace rt;
 using glm::dvec3;
 
-TEST_CASE("the sky changes evenly from nadir to zenith") {
+TEST_CASE("the sky changes linearly from nadir to zenith") {
     const Sky sky{{0.1f, 0.2f, 0.9f}, {0.7f, 0.4f, 0.1f}};
     CHECK(radiance(sky, {0, 3, 0}) == approx(sky.zenith));
     CHECK(radiance(sky, {0, -0.2f, 0}) == approx(sky.nadir));
     CHECK(radiance(sky, {5, 0, -2}) == approx(0.5f * (sky.nadir + sky.zenith)));
     const vec3 got = radiance(sky, {3, 3, std::sqrt(18.0f)}); // 30 degrees above the horizon, length 6
     CHECK_MESSAGE(got == approx(0.25f * sky.nadir + 0.75f * sky.zenith),
-                  "halfway up by height: 1/4 nadir + 3/4 zenith, for a direction of any length");
+                  "linear in the height of the unit direction: 1/4 nadir + 3/4 zenith");
 }
 
-TEST_CASE("what the whole sky sheds on a surface is the integral of its radiance times the cosine") {
+TEST_CASE("the irradiance from the whole sky is the integral of its radiance times the cosine") {
     const Sky sky{{0.1f, 0.2f, 0.9f}, {0.7f, 1.4f, 0.1f}};
     for (const vec3 normal : {vec3(2, 3, 6) / 7.0f, vec3(6, -3, 2) / 7.0f, vec3(-2, -6, 3) / 7.0f,
                               vec3(0, 1, 0), vec3(0, -1, 0), vec3(1, 0, 0)}) {
@@ -39,7 +39,7 @@ TEST_CASE("what the whole sky sheds on a surface is the integral of its radiance
     }
 }
 
-TEST_CASE("an even sky sheds pi times its radiance on every surface") {
+TEST_CASE("under a uniform sky the irradiance on every surface is pi times the radiance") {
     const Sky sky{{0.5f, 2, 0.25f}, {0.5f, 2, 0.25f}};
     for (const vec3 normal : {vec3(2, 3, 6) / 7.0f, vec3(-2, -6, 3) / 7.0f})
         CHECK(irradiance(sky, normal) == approx(pi * vec3(0.5f, 2, 0.25f)));

@@ -1,4 +1,4 @@
-// Facts about where a ray meets a ball, and which way the ball faces there.
+// Facts about ray-sphere intersection and the normals of spheres.
 #include "tests/check.h"
 
 #include "01_spheres/sphere.h"
@@ -13,56 +13,58 @@
 using namespace rt;
 using glm::dvec3;
 
-TEST_CASE("a ball of radius 1, five metres ahead, is met at t = 4") {
+TEST_CASE("a ball of radius 1, five metres ahead, is hit at t = 4") {
     const float t = t_of(intersect(Sphere{{0, 0, -5}, 1, 0}, Ray{{0, 0, 0}, {0, 0, -1}}));
-    CHECK_MESSAGE(t == approx(4), hint(t, {{6, "that is the far root"},
-                                           {-4, "that lies behind: O - C was taken for C - O"},
-                                           {-6, "that lies behind: O - C was taken for C - O"},
-                                           {8, "that is twice as far: q/a was not halved"},
-                                           {5, "that is the centre"},
-                                           {miss, "a miss: C - O with the wrong sign, or a root rejected"}}));
+    CHECK_MESSAGE(t == approx(4),
+                  hint(t, {{6, "this is the far root"},
+                           {-4, "this is behind the ray: O - C was used instead of C - O"},
+                           {-6, "this is behind the ray: O - C was used instead of C - O"},
+                           {8, "twice as far: q/a was not halved"},
+                           {5, "this is the centre"},
+                           {miss, "a miss: C - O has the wrong sign, or a root was rejected"}}));
 }
 
-TEST_CASE("behind the near side of a ball comes its far side, at t = 6") {
+TEST_CASE("behind the near side of a ball is its far side, at t = 6") {
     const float t = t_of(intersect(Sphere{{0, 0, -5}, 1, 0}, Ray{{0, 0, 0}, {0, 0, -1}, 5}));
-    CHECK_MESSAGE(t == approx(6), hint(t, {{4, "that is the near root, which lies before t_min = 5"},
+    CHECK_MESSAGE(t == approx(6), hint(t, {{4, "this is the near root, which lies before t_min = 5"},
                                            {miss, "only the near root was tried"}}));
 }
 
-TEST_CASE("a ball of radius 2 is met a metre sooner") {
+TEST_CASE("a ball of radius 2 is hit a metre earlier") {
     const float t = t_of(intersect(Sphere{{0, 0, -5}, 2, 0}, Ray{{0, 0, 0}, {0, 0, -1}}));
     CHECK_MESSAGE(t == approx(3), hint(t, {{3.585786f, "5 - sqrt(2): the radius was not squared"},
                                            {4, "the radius was left out"},
-                                           {7, "that is the far root"}}));
+                                           {7, "this is the far root"}}));
     const float small = t_of(intersect(Sphere{{0, 0, -5}, 0.5f, 0}, Ray{{0, 0, 0}, {0, 0, -1}}));
     CHECK_MESSAGE(small == approx(4.5f), hint(small, {{4.292893f, "the radius was not squared"}}));
 }
 
 TEST_CASE("a direction twice as long halves t") {
     const float t = t_of(intersect(Sphere{{0, 0, -5}, 1, 0}, Ray{{0, 0, 0}, {0, 0, -2}}));
-    CHECK_MESSAGE(t == approx(2), hint(t, {{4, "that is metres: t counts in lengths of the direction"},
-                                           {8, "multiplied by a = d.d where it should be divided"},
-                                           {miss, "a = d.d was taken for 1"}}));
+    CHECK_MESSAGE(t == approx(2),
+                  hint(t, {{4, "this is in metres: t is measured in multiples of the direction"},
+                           {8, "multiplied by a = d.d instead of divided"},
+                           {miss, "a = d.d was assumed to be 1"}}));
     const float far = t_of(intersect(Sphere{{0, 0, -5}, 1, 0}, Ray{{0, 0, 0}, {0, 0, -2}, 2.5f}));
     CHECK_MESSAGE(far == approx(3),
-                  hint(far, {{6, "that is metres"}, {miss, "only the near root was tried"}}));
+                  hint(far, {{6, "this is in metres"}, {miss, "only the near root was tried"}}));
 }
 
-TEST_CASE("a ray that starts inside a sphere meets its far side") {
+TEST_CASE("a ray that starts inside a sphere hits its far side") {
     const float centre = t_of(intersect(Sphere{{0, 0, -5}, 2, 0}, Ray{{0, 0, -5}, {0, 0, -1}}));
-    CHECK_MESSAGE(centre == approx(2), hint(centre, {{-2, "that is the near root, behind the origin"},
+    CHECK_MESSAGE(centre == approx(2), hint(centre, {{-2, "this is the near root, behind the origin"},
                                                      {miss, "only the near root was tried"}}));
     const float oblique = t_of(intersect(ball, from_within));
-    CHECK_MESSAGE(oblique == approx(2), hint(oblique, {{-6, "that is the near root, behind the origin"},
-                                                       {6, "that is |t| of what lies behind"},
+    CHECK_MESSAGE(oblique == approx(2), hint(oblique, {{-6, "this is the near root, behind the origin"},
+                                                       {6, "this is |t| of the root behind the origin"},
                                                        {miss, "only the near root was tried"}}));
 }
 
 TEST_CASE("a sphere behind the ray is missed") {
     const Sphere ahead{{0, 0, -5}, 1, 0};
     const float t = t_of(intersect(ahead, Ray{{0, 0, 0}, {0, 0, 1}}));
-    CHECK_MESSAGE(std::isnan(t), hint(t, {{4, "that is |t|, or the ray was turned round"},
-                                          {6, "that is |t|, or the ray was turned round"},
+    CHECK_MESSAGE(std::isnan(t), hint(t, {{4, "this is |t|, or the ray was reversed"},
+                                          {6, "this is |t|, or the ray was reversed"},
                                           {-4, "a negative t was accepted"},
                                           {-6, "a negative t was accepted"}}));
     CHECK_FALSE(intersect(ball, Ray{to_ball.origin, -to_ball.direction}));
@@ -71,16 +73,16 @@ TEST_CASE("a sphere behind the ray is missed") {
 TEST_CASE("a sphere beyond t_max is missed") {
     const Sphere ahead{{0, 0, -5}, 1, 0};
     CHECK_FALSE_MESSAGE(intersect(ahead, Ray{{0, 0, 0}, {0, 0, -1}, 0, 3}),
-                        "the upper end of the interval was ignored: balls beyond a light will cast shadows");
+                        "t_max was ignored: balls beyond a light will cast shadows");
     CHECK(t_of(intersect(ahead, Ray{{0, 0, 0}, {0, 0, -1}, 0, 5})) == approx(4));
     CHECK_FALSE_MESSAGE(intersect(Sphere{{0, 0, -5}, 2, 0}, Ray{{0, 0, -5}, {0, 0, -1}, 0, 1.5f}),
-                        "the far root, too, must lie before t_max");
+                        "the far root must lie before t_max, too");
     CHECK_FALSE_MESSAGE(intersect(ahead, Ray{{0, 0, 0}, {0, 0, -1}, 4.5f, 5.5f}),
-                        "between its two walls a ball is empty");
-    CHECK_FALSE_MESSAGE(intersect(ahead, Ray{{0, 0, 0}, {0, 0, -1}, 7}), "the lower end was ignored");
+                        "a ball is hollow: nothing is hit between its two walls");
+    CHECK_FALSE_MESSAGE(intersect(ahead, Ray{{0, 0, 0}, {0, 0, -1}, 7}), "t_min was ignored");
 }
 
-TEST_CASE("a ray that starts on a sphere does not meet it there") {
+TEST_CASE("a ray that starts on a sphere does not hit it there") {
     const Sphere ahead{{0, 0, -5}, 1, 0};
     const float in = t_of(intersect(ahead, Ray{{0, 0, -4}, {0, 0, -1}}));
     CHECK_MESSAGE(in == approx(2), hint(in, {{0, "t = 0 is the ray's own origin; the interval is open"}}));
@@ -89,7 +91,7 @@ TEST_CASE("a ray that starts on a sphere does not meet it there") {
 }
 
 TEST_CASE("a ray that passes just beside a sphere misses it") {
-    // Aimed past the centre at 99 % and 101 % of the radius, for marbles far away and for great balls.
+    // The ray passes the centre at 99 % and 101 % of the radius, for distant marbles and for large balls.
     Random random(1);
     for (const float radius : {0.01f, 0.3f, 2.0f, 50.0f})
         for (const float distance : {3.0f, 100.0f, 2000.0f}) {
@@ -104,9 +106,9 @@ TEST_CASE("a ray that passes just beside a sphere misses it") {
         }
 }
 
-TEST_CASE("any ray meets any sphere where the distance to its centre is the radius") {
-    // Against another way to reckon it: the point of the ray that is nearest to the centre, and from there
-    // along the ray by Pythagoras.
+TEST_CASE("any ray hits any sphere where the distance to its centre equals the radius") {
+    // Compares with a different method: the point of the ray that is closest to the centre,
+    // then Pythagoras along the ray.
     Random random(2);
     int wrong = 0, hits = 0, inside = 0;
     for (int i = 0; i < 20000; ++i) {
@@ -117,7 +119,7 @@ TEST_CASE("any ray meets any sphere where the distance to its centre is the radi
         const double along = dot(c - o, d);
         const double off = length(o + along * d - c);
         const double r = double(sphere.radius);
-        if (std::abs(off - r) < 1e-3 || std::abs(length(o - c) - r) < 1e-3) continue; // too close to call
+        if (std::abs(off - r) < 1e-3 || std::abs(length(o - c) - r) < 1e-3) continue; // too close to decide
         const double half = off < r ? std::sqrt(r * r - off * off) : 0;
         const double metres = along - half > 0 ? along - half : along + half;
         const bool expected = off < r && metres > 0;
@@ -129,14 +131,14 @@ TEST_CASE("any ray meets any sphere where the distance to its centre is the radi
         else if (t)
             wrong += !(std::abs(double(*t) * length(dvec3(ray.direction)) - metres) < 1e-4 * (1 + metres));
     }
-    CHECK_MESSAGE(wrong == 0, wrong << " of 20000 rays went wrong; " << hits << " should hit, " << inside
+    CHECK_MESSAGE(wrong == 0, wrong << " of 20000 rays are wrong; " << hits << " should hit, " << inside
                                     << " of them from inside");
-    CHECK(hits > 4000); // that there is something to check
+    CHECK(hits > 4000); // enough cases to check
     CHECK(inside > 1000);
 }
 
 TEST_CASE("from two radii away a ball fills 6.7 percent of all directions") {
-    // (1 - cos 30 degrees) / 2. Beyond z = 4 by chance: one time in 16,000 for another seed.
+    // The expected value is (1 - cos 30 degrees) / 2. A correct result has |z| > 4 for one seed in 16,000.
     Random random(3);
     const Sphere sphere{{1, -2, 3}, 2, 0};
     const vec3 eye = sphere.center + 4.0f * outward;
@@ -146,7 +148,8 @@ TEST_CASE("from two radii away a ball fills 6.7 percent of all directions") {
     const double expected = 0.0669873;
     INFO(share.against(expected));
     CHECK_MESSAGE(std::abs(share.z(expected)) < 4,
-                  hint(float(share.mean()), {{0.1339746f, "twice that: what lies behind counts as well"}}));
+                  hint(float(share.mean()),
+                       {{0.1339746f, "twice the expected value: hits behind the ray count as well"}}));
 }
 
 TEST_CASE("a floor that is a ball of 10 km radius is as smooth as a plane") {
@@ -155,7 +158,7 @@ TEST_CASE("a floor that is a ball of 10 km radius is as smooth as a plane") {
     double worst_t = 0, worst_height = 0, worst_normal = 0;
     int steps_back = 0;
     float last = 0;
-    for (int i = 1; i <= 4000; ++i) { // from one's feet to the horizon
+    for (int i = 1; i <= 4000; ++i) { // from the viewer's feet to the horizon
         const float slope = -2.0f * float(4001 - i) / 4000 - 0.02f;
         const Ray ray{eye, normalize(vec3(0.4f, slope, -1))};
         const auto t = intersect(earth, ray);
@@ -174,13 +177,13 @@ TEST_CASE("a floor that is a ball of 10 km radius is as smooth as a plane") {
         steps_back += *t <= last;
         last = *t;
     }
-    const std::string cause =
-        "c = |C - O|^2 - r^2 takes 1e8 from 1e8: a float has no digits left, and the floor "
-        "shows rings. Reckon it in double, with the roots q/a and c/q";
+    const std::string cause = "c = |C - O|^2 - r^2 subtracts 1e8 from 1e8: a float has no digits left, and "
+                              "the floor shows rings. Compute it in double, with the roots q/a and c/q";
     CHECK_MESSAGE(worst_t < 1e-5, cause);
     CHECK_MESSAGE(worst_height < 1e-5, cause);
     CHECK_MESSAGE(worst_normal < 1e-5, cause);
-    CHECK_MESSAGE(steps_back == 0, "each row of the picture sees further than the row below it; " << cause);
+    CHECK_MESSAGE(steps_back == 0,
+                  "each row of the picture must see farther than the row below it; " << cause);
 }
 
 TEST_CASE("a marble of 1 cm radius is round from a kilometre away") {
@@ -203,12 +206,13 @@ TEST_CASE("the normal of a ball points from its centre to the hit") {
     REQUIRE(t_of(t) == approx(2));
     const Hit hit = surface_hit(ball, Ray{to_ball.origin, to_ball.direction, 0, *t});
     std::string cause;
-    if (hit.shading_normal == approx(-outward)) cause = "it points inward: hit - centre, not centre - hit";
+    if (hit.shading_normal == approx(-outward))
+        cause = "it points inward: use hit - centre, not centre - hit";
     if (hit.shading_normal == approx(2.0f * outward))
         cause = "it has length 2, the radius: it was not normalised";
     if (hit.shading_normal == approx(4.0f * outward)) cause = "it was multiplied by the radius";
     if (hit.shading_normal == approx(normalize(on_ball)))
-        cause = "that is normalize(hit): right only at the origin";
+        cause = "this is normalize(hit), which is correct only for a ball at the origin";
     CHECK_MESSAGE(hit.shading_normal == approx(outward), cause);
     CHECK(hit.geometric_normal == approx(outward));
     CHECK(hit.position == approx(on_ball));
@@ -218,8 +222,9 @@ TEST_CASE("the normal of a ball points from its centre to the hit") {
 
 TEST_CASE("seen from inside, the normal of a ball points to its centre") {
     const Hit hit = surface_hit(ball, Ray{from_within.origin, from_within.direction, 0, 2});
-    CHECK_MESSAGE(hit.shading_normal == approx(-outward), "it must lie on the side that the ray comes from");
+    CHECK_MESSAGE(hit.shading_normal == approx(-outward),
+                  "the normal must be on the side from which the ray comes");
     CHECK(hit.geometric_normal == approx(-outward));
-    CHECK_MESSAGE(hit.back_face, "the ray came from within the ball");
-    CHECK_MESSAGE(hit.uv == approx(sphere_uv(outward)), "the place on the map is the same from both sides");
+    CHECK_MESSAGE(hit.back_face, "the ray comes from inside the ball");
+    CHECK_MESSAGE(hit.uv == approx(sphere_uv(outward)), "the uv coordinates are the same from both sides");
 }

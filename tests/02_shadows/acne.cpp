@@ -12,7 +12,8 @@ using namespace rt;
 
 namespace {
 
-/// How many of many points of this ball, which is all there is, do not get all the light that faces them.
+/// Returns how many of 1000 points of the ball, the only object in the scene, do not
+/// get all the light they face.
 int shadowed_by_itself(const Sphere& ball, float lamp_distance, float eye_distance, std::uint64_t seed) {
     Random random(seed);
     int wrong = 0, facing = 0;
@@ -37,14 +38,14 @@ int shadowed_by_itself(const Sphere& ball, float lamp_distance, float eye_distan
 
 } // namespace
 
-TEST_CASE("no point of a ball that faces the light is shadowed by the ball, of whatever size and wherever") {
+TEST_CASE("no point of a ball that faces the light is shadowed by the ball, whatever its size and position") {
     for (const float radius : {0.01f, 0.5f, 7.0f, 1000.0f})
         for (const vec3 center : {vec3(0), vec3(1, -2, 3), vec3(-300, 40, 77)}) {
             INFO("radius " << radius << " around " << to_text(center));
             CHECK_MESSAGE(shadowed_by_itself({center, radius, 0}, 5, 8, 1) == 0,
-                          "shadow acne: the shadow ray meets the surface that it starts from");
+                          "shadow acne: the shadow ray hits the surface that it starts from");
             CHECK_MESSAGE(shadowed_by_itself({center, radius, 0}, 1.3f, 1.2f, 2) == 0,
-                          "acne under a close light");
+                          "shadow acne under a close light");
         }
 }
 
@@ -52,7 +53,8 @@ TEST_CASE("no point of a ball near the origin is shadowed by the ball when it is
     for (const float away : {100.0f, 1000.0f, 20000.0f}) {
         INFO("seen from " << away << " metres");
         CHECK_MESSAGE(shadowed_by_itself({{0.1f, -0.2f, 0.3f}, 1, 0}, 5, away, 5) == 0,
-                      "a position is rounded like its ray's origin: the larger of the two sets the offset");
+                      "rounding of a position depends on the ray's origin as well: the larger coordinates "
+                      "set the offset");
     }
 }
 
@@ -62,11 +64,11 @@ TEST_CASE("no point of the inner side of a ball is shadowed by the ball") {
             if (radius < 1e-4f * length(center)) continue; // a float's grid is too coarse there
             INFO("radius " << radius << " around " << to_text(center));
             CHECK_MESSAGE(shadowed_by_itself({center, radius, 0}, 0.6f, 0.7f, 3) == 0,
-                          "shadow acne: seen from inside the offset must go inward");
+                          "shadow acne: seen from inside, the offset must point inward");
         }
 }
 
-TEST_CASE("no point of a floor is shadowed by the floor, from one's feet to the horizon") {
+TEST_CASE("no point of a floor from the viewer's feet to the horizon is shadowed by the floor") {
     Random random(4);
     int wrong = 0;
     for (int i = 0; i < 10000; ++i) {

@@ -1,4 +1,4 @@
-// Facts about a counted scene: it answers as the scene does, and each query counts once.
+// Facts about a counted scene: its queries give the results of the scene, and each is counted once.
 #include "tests/check.h"
 
 #include "01_spheres/program/counted.h"
@@ -21,6 +21,6 @@ TEST_CASE("a counted scene gives the same hits and counts each query once") {
     CHECK(hit->t == intersect(plain, ray)->t);
     CHECK(occluded(scene, ray) == occluded(plain, ray));
     CHECK(ray_stats.rays == 2);
-    CHECK(radiance(scene, ray) == radiance(plain, ray)); // one ray from the eye, one to the light
+    CHECK(radiance(scene, ray) == radiance(plain, ray)); // one camera ray and one shadow ray
     CHECK(ray_stats.rays == 4);
 }

@@ -1,4 +1,4 @@
-// Facts about what comes back along a ray: light of lamps and of the sky, from the surface that is nearest.
+// Facts about the radiance along a ray: light from lamps and sky, reflected by the closest surface.
 #include "tests/check.h"
 
 #include "02_shadows/radiance.h"
@@ -11,7 +11,7 @@
 
 using namespace rt;
 
-TEST_CASE("a floor of albedo .5 under that light shows a radiance of .125") {
+TEST_CASE("a floor of albedo .5 at an irradiance of pi / 4 shows a radiance of .125") {
     Scene scene;
     scene.planes = {{somewhere, tilted, add(scene.materials, Diffuse{vec3(0.5f, 0.8f, 0.4f)})}};
     scene.lights = {{somewhere + 2.0f * tilted, vec3(pi)}};
@@ -24,7 +24,7 @@ TEST_CASE("a floor of albedo .5 under that light shows a radiance of .125") {
                                 {0, "black: the floor shadows itself, or the shadow test is inverted"}}));
 }
 
-TEST_CASE("matte surfaces look equally bright from everywhere") {
+TEST_CASE("matte surfaces look equally bright from every direction") {
     Scene scene;
     scene.planes = {{somewhere, tilted, add(scene.materials, Diffuse{vec3(0.5f)})}};
     scene.lights = {{somewhere + 2.0f * tilted + 1.0f * beside(tilted), vec3(7)}};
@@ -33,7 +33,7 @@ TEST_CASE("matte surfaces look equally bright from everywhere") {
     CHECK(radiance(scene, Ray{somewhere + grazing, -2.0f * grazing}) == approx(straight));
 }
 
-TEST_CASE("a floor that is seen from below is lit by the lights below it alone") {
+TEST_CASE("a floor seen from below is lit only by the lights below it") {
     Scene scene;
     scene.planes = {{somewhere, tilted, add(scene.materials, Diffuse{vec3(0.5f)})}};
     const PointLight above{somewhere + 2.0f * tilted, vec3(pi)},
@@ -46,7 +46,7 @@ TEST_CASE("a floor that is seen from below is lit by the lights below it alone")
 
 namespace {
 
-/// Balls over a checker floor in a half-dark sky, with no light yet.
+/// Builds balls over a checkerboard floor under a black sky, without lights.
 Scene room() {
     Scene scene;
     const int chalk = add(scene.materials, Diffuse{{0.8f, 0.4f, 0.6f}});
@@ -58,7 +58,7 @@ Scene room() {
     return scene;
 }
 
-/// A small picture of the scene, row by row.
+/// Renders a small picture of the scene, row by row.
 std::vector<vec3> picture(const Scene& scene) {
     std::vector<vec3> pixels;
     for (int y = 0; y < 60; ++y)
@@ -70,10 +70,10 @@ std::vector<vec3> picture(const Scene& scene) {
 
 } // namespace
 
-TEST_CASE("the picture by two lights is the sum of the pictures by each") {
+TEST_CASE("the picture lit by two lights is the sum of the pictures lit by each") {
     const PointLight warm{{-2.2f, 3, 2}, {9, 6.5f, 4}}, cool{{3.2f, 2.2f, 1.2f}, {2, 3, 5}};
     Scene a = room(), b = room(), both = room();
-    for (Scene* scene : {&a, &b, &both}) scene->materials[1] = Diffuse{vec3(0.3f)}; // nothing glows by itself
+    for (Scene* scene : {&a, &b, &both}) scene->materials[1] = Diffuse{vec3(0.3f)}; // no emission
     a.lights = {warm};
     b.lights = {cool};
     both.lights = {warm, cool};
@@ -86,9 +86,9 @@ TEST_CASE("the picture by two lights is the sum of the pictures by each") {
         lit += by_a[i] != vec3(0) && by_b[i] != vec3(0);
         shadowed += (by_a[i] != vec3(0)) != (by_b[i] != vec3(0));
     }
-    CHECK_MESSAGE(worst <= 1e-6f, "light adds up; off by "
-                                      << worst << ". An ambient constant is counted once for each light?");
-    CHECK(lit > 500); // that there is something to check
+    CHECK_MESSAGE(worst <= 1e-6f, "light must add up; off by "
+                                      << worst << ". Is an ambient constant counted once per light?");
+    CHECK(lit > 500); // enough cases to check
     CHECK(shadowed > 200);
 }
 
@@ -106,7 +106,7 @@ TEST_CASE("the light of the sky is added once, however many lights there are") {
     CHECK_MESSAGE(worst <= 1e-6f, "off by " << worst);
 }
 
-TEST_CASE("with no lights a white matte ball vanishes in an even sky") {
+TEST_CASE("without lights a white matte ball is invisible under a uniform sky") {
     Scene scene{.sky = {{0.5f, 2, 0.25f}, {0.5f, 2, 0.25f}}};
     scene.spheres = {{somewhere, 2, add(scene.materials, Diffuse{vec3(1)})}};
     const vec3 seen = radiance(scene, Ray{somewhere + vec3(4, 3, 5), {-0.7f, -0.5f, -1}});
@@ -115,7 +115,7 @@ TEST_CASE("with no lights a white matte ball vanishes in an even sky") {
                                 {1, "the light of the sky was added twice"}}));
 }
 
-TEST_CASE("twice the intensity makes twice the light, and no light makes black") {
+TEST_CASE("twice the intensity gives twice the light and no light gives black") {
     Scene scene = room();
     scene.materials[1] = Diffuse{vec3(0.3f)};
     for (const vec3 pixel : picture(scene)) REQUIRE(pixel == vec3(0));
@@ -129,17 +129,17 @@ TEST_CASE("twice the intensity makes twice the light, and no light makes black")
         negative = negative || once[i].x < 0 || once[i].y < 0 || once[i].z < 0;
     }
     CHECK(same);
-    CHECK_MESSAGE(!negative, "light was taken away: a cosine below 0");
+    CHECK_MESSAGE(!negative, "light was subtracted: a negative cosine");
 }
 
-TEST_CASE("a surface in shadow still shows what it sends out by itself") {
+TEST_CASE("a surface in shadow still shows its own emission") {
     Scene scene;
     scene.spheres = {{{0, 0, -5}, 1, add(scene.materials, Diffuse{vec3(0.5f), {3, 2, 1}})}};
     scene.lights = {{{0, 0, -9}, vec3(100)}}; // behind the ball
     CHECK(radiance(scene, Ray{{0, 0, 0}, {0, 0, -2}}) == approx(vec3(3, 2, 1)));
 }
 
-TEST_CASE("each shape has its own material, and the nearest one shows") {
+TEST_CASE("each shape has its own material and the closest one is visible") {
     Scene scene;
     const int red = add(scene.materials, emissive({1, 0, 0})),
               green = add(scene.materials, emissive({0, 1, 0}));
@@ -148,7 +148,7 @@ TEST_CASE("each shape has its own material, and the nearest one shows") {
     CHECK(radiance(scene, Ray{{0, 0, -5}, {0, 0, -2}}) == approx(vec3(1, 0, 0)));
 }
 
-TEST_CASE("a checker floor in the light shows the colour of its squares") {
+TEST_CASE("a lit checkerboard floor shows the colours of its squares") {
     Scene scene;
     scene.planes = {{{0, 0, 0},
                      {0, 1, 0},
@@ -159,14 +159,14 @@ TEST_CASE("a checker floor in the light shows the colour of its squares") {
     CHECK(radiance(scene, Ray{{-0.2f, 1, 0.3f}, {0, -0.5f, 0}}) == approx(vec3(0.8f, 0.2f, 0.1f) / 4.0f));
 }
 
-TEST_CASE("a ray that meets nothing sees the sky, not the lights") {
+TEST_CASE("a ray that hits nothing sees the sky and not the lights") {
     Scene scene{.sky = {{0.1f, 0.2f, 0.9f}, {0.7f, 0.4f, 0.1f}}};
     scene.lights = {{{0, 0, -2}, vec3(100)}};
     CHECK(radiance(scene, Ray{{0, 0, 0}, {0, 0, -3}}) == approx(vec3(0.4f, 0.3f, 0.5f)));
 }
 
 namespace {
-/// A scene of another make: an endless floor, and nothing that could cast a shadow but a roof from x = 0 on.
+/// A scene of a different type: an infinite floor, and a roof over x > 0 as the only occluder.
 struct Porch {
     Sky sky;
     std::vector<PointLight> lights{{{0.5f, 4, 0}, vec3(16 * pi)}};
@@ -183,7 +183,7 @@ bool occluded(const Porch&, const Ray& ray) {
 }
 } // namespace
 
-TEST_CASE("light travels in any scene that can say what a ray meets and whether anything hides a light") {
+TEST_CASE("light travels in any scene type that answers closest-hit and any-hit queries") {
     CHECK(radiance(Porch{}, Ray{{0.5f, 1, 0}, {0, -2, 0}}) == vec3(0));
     const float cosine = 4 / std::sqrt(17.0f);
     CHECK(radiance(Porch{}, Ray{{-0.5f, 1, 0}, {0, -2, 0}}) == approx(vec3(4 * cosine / 17)));

@@ -1,4 +1,4 @@
-// Facts about shadows: how far they reach, where they begin, and what a lamp within a ball lights.
+// Facts about the extent of shadows: where they begin and end, and what a lamp inside a ball lights.
 #include "tests/check.h"
 
 #include "02_shadows/radiance.h"
@@ -9,11 +9,11 @@
 
 using namespace rt;
 
-TEST_CASE("a lamp within a ball lights its inner side and nothing outside") {
+TEST_CASE("a lamp inside a ball lights its inner side and nothing outside") {
     Scene scene = lit_balls({{somewhere + 0.5f * tilted, vec3(4)}}, {{somewhere, 2, 0}});
     const vec3 within =
-        radiance(scene, Ray{somewhere, 0.5f * tilted}); // the wall at 1.5 metres from the lamp
-    CHECK_MESSAGE(within == approx(vec3(0.5f / pi * 4 / 2.25f)), "the normal is turned to the ray's side");
+        radiance(scene, Ray{somewhere, 0.5f * tilted}); // the wall is 1.5 metres from the lamp
+    CHECK_MESSAGE(within == approx(vec3(0.5f / pi * 4 / 2.25f)), "the normal is flipped to the ray's side");
     CHECK(radiance(scene, Ray{somewhere + 5.0f * tilted, -tilted}) == vec3(0));
 }
 
@@ -35,15 +35,15 @@ TEST_CASE("the umbra under a ball has the radius H tan(asin(a / (H - h)))") {
         }
         CHECK_MESSAGE(
             bright == approx(expected, 2e-4f),
-            hint(bright, {{a, "that is the ball's own radius: the shadow of a light that is infinitely far"},
-                          {H * a / (H - h), "H a / (H - h): the light does not graze at the equator"},
+            hint(bright, {{a, "this is the ball's own radius: the shadow of a light at infinity"},
+                          {H * a / (H - h), "H a / (H - h): the light rays graze the ball above its equator"},
                           {0, "no shadow at all"},
                           {3, "no light at all"}}));
     }
 }
 
-TEST_CASE("a ball of half a millimetre has its shadow where it should be") {
-    // The light stands at 45 degrees: with an epsilon of a millimetre the shadow ray starts past the ball.
+TEST_CASE("a ball of half a millimetre has its shadow in the correct place") {
+    // The light is at 45 degrees: with an epsilon of a millimetre, the shadow ray starts past the ball.
     Scene scene;
     const vec3 foot(0.3f, 0, -0.4f), way = normalize(vec3(0.6f, 1, 0.8f));
     const float radius = 5e-4f;
@@ -56,11 +56,11 @@ TEST_CASE("a ball of half a millimetre has its shadow where it should be") {
     };
     const vec3 middle =
         scene.spheres[0].center - radius / way.y * way; // where the ray through the centre ends
-    CHECK_MESSAGE(seen(middle) == 0, "the shadow has come off the ball: epsilon is too large");
+    CHECK_MESSAGE(seen(middle) == 0, "the shadow is detached from the ball: epsilon is too large");
     CHECK(seen(middle + vec3(0.9f * radius, 0, -0.675f * radius)) > 0); // beside it
 }
 
-TEST_CASE("a floor is dark up to the very place where a ball touches it") {
+TEST_CASE("a floor is dark up to the very point where a ball touches it") {
     Scene scene;
     const vec3 touch(1, 0, -2);
     scene.planes = {{touch, {0, 1, 0}, add(scene.materials, Diffuse{vec3(0.5f)})}};
@@ -68,7 +68,7 @@ TEST_CASE("a floor is dark up to the very place where a ball touches it") {
     scene.lights = {{touch + vec3(0, 4, 0), vec3(10)}};
     int lit = 0;
     for (int i = 0; i < 100; ++i) {
-        const vec3 point = touch + vec3(0.004f * float(i + 1), 0, 0); // to .4 metres from it
+        const vec3 point = touch + vec3(0.004f * float(i + 1), 0, 0); // up to .4 metres away
         const vec3 view = normalize(vec3(-1, -0.05f, 0.3f));
         lit += direct_irradiance(scene, make_hit(Ray{point - view, view, 0, 1}, {0, 1, 0}, {0, 0}, 0)) !=
                vec3(0);

@@ -1,5 +1,5 @@
-// What the checks of step 02 need to cast shadows: a scene of lights and balls.
-// Included last, so that no name in a learner's header hides one of these.
+// What the checks of step 02 share to cast shadows: a scene of lights and balls.
+// Include it last, so that no name in a learner's header hides one of these.
 #pragma once
 
 #include "02_shadows/scene.h"
@@ -9,7 +9,7 @@
 
 namespace rt {
 
-/// A scene of nothing but `lights` and `balls` of matte grey.
+/// Builds a scene of `lights` and matte grey `balls` only.
 inline Scene lit_balls(std::vector<PointLight> lights, std::vector<Sphere> balls) {
     Scene scene;
     add(scene.materials, Diffuse{vec3(0.5f)});

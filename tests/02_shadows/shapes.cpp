@@ -1,4 +1,4 @@
-// Facts about a scene: what a ray meets first, and whether anything stands in the way of a segment.
+// Facts about a scene: what a ray hits first, and whether anything occludes a segment.
 #include "tests/check.h"
 
 #include "02_shadows/scene.h"
@@ -13,7 +13,7 @@
 
 using namespace rt;
 
-TEST_CASE("a segment is occluded exactly if it meets something") {
+TEST_CASE("a segment is occluded exactly if it hits something") {
     Random random(5);
     Scene scene;
     for (int i = 0; i < 30; ++i)
@@ -28,12 +28,12 @@ TEST_CASE("a segment is occluded exactly if it meets something") {
         hidden += meets;
         wrong += occluded(scene, ray) != meets;
     }
-    CHECK_MESSAGE(wrong == 0, wrong << " of 10000 segments");
-    CHECK(hidden > 2000); // that there is something to check
+    CHECK_MESSAGE(wrong == 0, wrong << " of 10000 segments are wrong");
+    CHECK(hidden > 2000); // enough cases to check
     CHECK(hidden < 8000);
 }
 
-TEST_CASE("what hides a light may stand anywhere in the list") {
+TEST_CASE("the shape that blocks a light may be anywhere in the list") {
     const Sphere left{{-9, 0, 0}, 1, 0}, hiding{{0, 2, 0}, 0.5f, 0}, right{{9, 0, 0}, 1, 0};
     const Ray up{{0, 0, 0}, {0, 4, 0}, 0, 1};
     for (const auto& spheres :
@@ -49,7 +49,7 @@ TEST_CASE("what hides a light may stand anywhere in the list") {
     CHECK_FALSE(occluded(walls, Ray{up.origin, up.direction, 0, 0.7f}));
 }
 
-TEST_CASE("of many shapes a ray meets the nearest, in whatever order they stand") {
+TEST_CASE("of many shapes a ray hits the closest, whatever their order") {
     const vec3 origin(3, 1, -2), direction = 2.0f * vec3(2, -3, 6) / 7.0f;
     const auto ball = [&](int t) { return Sphere{origin + (float(t) + 0.25f) * direction, 0.5f, t}; };
     std::vector<int> order{2, 4, 5, 6};
@@ -61,7 +61,7 @@ TEST_CASE("of many shapes a ray meets the nearest, in whatever order they stand"
              {std::pair(0.0f, 2), {2.6f, 3}, {3.1f, 4}, {4.6f, 5}, {5.6f, 6}}) {
             const auto hit = intersect(scene, Ray{origin, direction, t_min});
             REQUIRE(hit);
-            CHECK_MESSAGE(hit->material == material, "materials count the shapes along the ray");
+            CHECK_MESSAGE(hit->material == material, "each material is the t at which the shape begins");
             CHECK(hit->t == approx(float(material)));
         }
         CHECK_FALSE(intersect(scene, Ray{origin, direction, 0, 1.9f}));

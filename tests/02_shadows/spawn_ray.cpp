@@ -1,4 +1,4 @@
-// Facts about leaving a surface: new rays start beside it, and a segment ends at its target.
+// Facts about leaving a surface: secondary rays start beside it, and a segment ends at its target.
 #include "tests/check.h"
 
 #include "02_shadows/spawn_ray.h"
@@ -7,38 +7,38 @@
 
 using namespace rt;
 
-TEST_CASE("a new ray starts beside the surface, on the side that it goes to") {
+TEST_CASE("a secondary ray starts beside the surface, on the side that it enters") {
     const Hit hit = hit_at(somewhere, tilted);
     const vec3 out = 3.0f * tilted + 2.0f * beside(tilted);
     const vec3 outside = offset_ray_origin(hit, out) - hit.position;
     const vec3 inside = offset_ray_origin(hit, -out) - hit.position;
-    CHECK_MESSAGE(dot(outside, tilted) > 0,
-                  "the wrong side, or no offset at all: shadow acne, salt and pepper");
+    CHECK_MESSAGE(dot(outside, tilted) > 0, "the wrong side, or no offset: shadow acne, salt and pepper");
     CHECK_MESSAGE(dot(inside, tilted) < 0, "a ray that goes through the surface must start behind it");
-    CHECK_MESSAGE(length(outside) < 1e-3f, "so far off the surface that shadows detach from what casts them");
-    CHECK_MESSAGE(length(outside) >= 0.9f * hit.position_error,
-                  "less than the error that the position may have");
-    CHECK_MESSAGE(length(cross(outside, tilted)) < 1e-6f, "along the normal, not along the ray");
+    CHECK_MESSAGE(length(outside) < 1e-3f, "so far off the surface that shadows detach from their objects");
+    CHECK_MESSAGE(length(outside) >= 0.9f * hit.position_error, "less than the error bound of the position");
+    CHECK_MESSAGE(length(cross(outside, tilted)) < 1e-6f,
+                  "the offset must be along the normal, not along the ray");
 }
 
-TEST_CASE("the offset is along the true surface's normal, not along the interpolated one") {
+TEST_CASE("the offset is along the geometric normal and not along the shading normal") {
     const vec3 smooth = normalize(tilted + 0.8f * beside(tilted));
     const vec3 down = -2.0f * tilted;
     const Hit hit = make_hit(Ray{somewhere - down, down, 0, 1}, tilted, smooth, {0, 0}, 0);
     const vec3 step = offset_ray_origin(hit, tilted - 2.0f * beside(tilted)) - hit.position;
-    CHECK_MESSAGE(dot(step, tilted) > 0, "the direction leaves the true surface, though not the smooth one");
+    CHECK_MESSAGE(dot(step, tilted) > 0,
+                  "the direction leaves the true surface, although it points below the smooth one");
     CHECK(length(cross(step, tilted)) < 0.1f * length(step));
 }
 
-TEST_CASE("the offset grows with the coordinates, as their rounding does") {
+TEST_CASE("the offset grows with the coordinates, as their rounding error does") {
     const float near = length(offset_ray_origin(hit_at({1, 0, 0}, tilted), tilted) - vec3(1, 0, 0));
     const float far = length(offset_ray_origin(hit_at({1000, 0, 0}, tilted), tilted) - vec3(1000, 0, 0));
     CHECK_MESSAGE(far > 100 * near, "near the origin " << near << ", at 1000 metres " << far);
-    CHECK_MESSAGE(far > 1000 * 0x1p-23f, "less than the rounding of the position");
-    CHECK_MESSAGE(far < 0.1f, "it can be seen");
+    CHECK_MESSAGE(far > 1000 * 0x1p-23f, "less than the rounding error of the position");
+    CHECK_MESSAGE(far < 0.1f, "the offset is visible");
 }
 
-TEST_CASE("a ray from a hit goes on for ever in its direction") {
+TEST_CASE("a ray from a hit is unbounded in its direction") {
     const Hit hit = hit_at(somewhere, tilted);
     const Ray ray = spawn_ray(hit, {3, -1, 2});
     CHECK(ray.direction == vec3(3, -1, 2));
@@ -50,7 +50,9 @@ TEST_CASE("a segment ends at its target") {
     const Hit hit = hit_at(somewhere, tilted);
     const vec3 target = somewhere + 5.0f * tilted + 2.0f * beside(tilted);
     const Ray segment = spawn_ray_to(hit, target);
-    CHECK_MESSAGE(at(segment, segment.t_max) == approx(target),
-                  "t_max = 1 belongs to a direction that is the whole way, t_max = r to one of unit length");
-    CHECK_MESSAGE(distance(at(segment, segment.t_min), somewhere) < 1e-3f, "it starts at the hit");
+    CHECK_MESSAGE(
+        at(segment, segment.t_max) == approx(target),
+        "t_max = 1 if the direction is the whole vector to the target, t_max = r if it has unit length");
+    CHECK_MESSAGE(distance(at(segment, segment.t_min), somewhere) < 1e-3f,
+                  "the segment must start at the hit");
 }

@@ -1,4 +1,4 @@
-// Facts about surfaces that are a mirror in part: the shares of base and mirror, coats over coats, the depth.
+// Facts about coated surfaces: the shares of base and mirror, coats over coats, and recursion depth.
 #include "03_mirror/radiance.h"
 #include "tests/03_mirror/scenes.h"
 
@@ -17,8 +17,8 @@ TEST_CASE("a reflective surface blends its base with what it mirrors") {
             seen == approx((1 - reflectivity) * glow + reflectivity * tint * c),
             hint(seen, {{glow + reflectivity * tint * c, "the mirror is added on top of the whole base"},
                         {reflectivity * glow + (1 - reflectivity) * tint * c, "base and mirror swapped"},
-                        {(1 - reflectivity) * glow + reflectivity * c, "the tint was forgotten"},
-                        {reflectivity * tint * c, "the base was left out"},
+                        {(1 - reflectivity) * glow + reflectivity * c, "the tint is missing"},
+                        {reflectivity * tint * c, "the base is missing"},
                         {glow, "only the base"},
                         {tint * c, "only the mirror"}}));
     }
@@ -39,8 +39,8 @@ TEST_CASE("at reflectivity 0 a surface is its base, at 1 a mirror, to the last b
     CHECK(seen(add(scene.materials, Coated{1, matte, tint})) == seen(mirror));
 }
 
-TEST_CASE("the base of a reflective surface is lit and in shadow like any other") {
-    Scene scene; // a black sky: what is seen is the base's share alone
+TEST_CASE("the base of a reflective surface is lit and shadowed like any other") {
+    Scene scene; // with a black sky, only the base's share is visible
     scene.quads = {tile(somewhere, tilted, 1, 1)};
     scene.lights = {{somewhere + 2.0f * tilted, vec3(pi)}};
     add(scene.materials, Diffuse{{0.8f, 0.4f, 0.5f}});
@@ -50,7 +50,7 @@ TEST_CASE("the base of a reflective surface is lit and in shadow like any other"
     CHECK(radiance(scene, to_tile, 5) == vec3(0));
 }
 
-TEST_CASE("a reflective checker shows its squares through the mirror") {
+TEST_CASE("a reflective checkerboard shows its squares through the mirror") {
     const vec3 even(0.8f, 0.2f, 0.1f), odd(0.1f, 0.4f, 0.3f), tint(0.5f, 0.9f, 0.2f);
     Scene scene{.sky = {c, c}};
     add(scene.materials, Checkerboard{even, odd, 0.5f});
@@ -64,7 +64,7 @@ TEST_CASE("a reflective checker shows its squares through the mirror") {
     CHECK(seen(-0.2f, -0.3f) == approx(0.75f * odd * c + 0.25f * tint * c));
 }
 
-TEST_CASE("a reflective coat may lie over a mirror") {
+TEST_CASE("a reflective coat can cover a mirror") {
     const vec3 coat(0.5f, 0.9f, 0.2f), silver(1, 0.3f, 0.6f);
     for (const float reflectivity : {0.0f, 0.25f, 1.0f}) {
         Scene scene = one_tile();
@@ -81,7 +81,7 @@ TEST_CASE("a reflective coat may lie over a mirror") {
     }
 }
 
-TEST_CASE("a reflective coat may lie over another one") {
+TEST_CASE("a reflective coat can cover another coat") {
     const vec3 outer(0.5f, 0.9f, 0.2f), inner(1, 0.3f, 0.6f), glow(3, 0.3f, 1);
     Scene scene = one_tile();
     scene.quads[0].material = 2;
@@ -99,13 +99,13 @@ TEST_CASE("a reflective surface counts as a mirror, and its base costs no depth"
     scene.quads[0].material = 1;
     add(scene.materials, emissive(glow));
     add(scene.materials, Coated{0.25f, 0, vec3(1)});
-    CHECK_MESSAGE(radiance(scene, to_tile, 1) == approx(0.75f * glow + 0.25f * c), "one mirror on the way");
+    CHECK_MESSAGE(radiance(scene, to_tile, 1) == approx(0.75f * glow + 0.25f * c), "one mirror on the path");
     CHECK_MESSAGE(radiance(scene, to_tile, 0) == approx(0.75f * glow),
-                  "no mirror is allowed: the base stays, its share does not grow");
+                  "no mirror is allowed: the base remains and its share does not grow");
 }
 
-TEST_CASE("two lacquered walls show each other as often as the depth says") {
-    // At each wall .75 of the glow, and .25 of what the other one shows: a geometric series.
+TEST_CASE("two lacquered walls show each other as often as the depth allows") {
+    // Each wall shows .75 of its emission and .25 of the other wall: a geometric series.
     for (int depth = 0; depth <= 6; ++depth) {
         Hall hall(20, vec3(0));
         hall.scene.materials = {Coated{0.25f, 2, vec3(1)}, Coated{0.25f, 2, vec3(1)}, emissive({4, 8, 2})};
@@ -115,7 +115,7 @@ TEST_CASE("two lacquered walls show each other as often as the depth says") {
     }
 }
 
-TEST_CASE("white things vanish in an even sky, whatever share of them is a mirror") {
+TEST_CASE("white objects are invisible under a uniform sky, whatever share of them is a mirror") {
     for (const float reflectivity : {0.0f, 0.25f, 0.5f, 1.0f}) {
         Scene scene{.sky = {c, c}};
         add(scene.materials, Diffuse{vec3(1)});

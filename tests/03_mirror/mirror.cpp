@@ -1,4 +1,4 @@
-// Facts about mirrors: where a ray goes that is turned around a normal, and where it starts.
+// Facts about mirrors: the direction of a reflected ray, and where the ray starts.
 #include "01_spheres/sphere.h"
 #include "03_mirror/mirror.h"
 #include "tests/03_mirror/step.h"
@@ -14,33 +14,35 @@ TEST_CASE("a reflected direction leaves at the angle at which it came") {
         r == approx(expected),
         hint(r, {{slanting + 2 * d_n * tilted, "d + 2 (d.n) n: the reflection is upside down"},
                  {slanting - 2.0f * (slanting * tilted) * tilted,
-                  "the element-wise product in place of the dot: zebra rings on curved mirrors"},
-                 {-expected, "the result is negated: it goes into the mirror"},
-                 {slanting - d_n * tilted, "d - (d.n) n slides along the surface: take it away twice"},
-                 {slanting, "the direction was not turned at all"},
-                 {-slanting, "straight back where it came from, whatever the normal"}}));
+                  "the element-wise product instead of the dot product: zebra rings on curved mirrors"},
+                 {-expected, "the result is negated: it points into the mirror"},
+                 {slanting - d_n * tilted, "d - (d.n) n slides along the surface: subtract it twice"},
+                 {slanting, "the direction was not reflected at all"},
+                 {-slanting, "straight back to where it came from, whatever the normal"}}));
 }
 
 TEST_CASE("a reflected direction keeps its length") {
     Random random(1);
     for (int i = 0; i < 200; ++i) {
         const vec3 d = (0.1f + 5 * random.uniform()) * any_direction(random), n = any_direction(random);
-        CHECK_MESSAGE(length(reflect(d, n)) == approx(length(d)), "|r| = |d|, for a d of any length");
+        CHECK_MESSAGE(length(reflect(d, n)) == approx(length(d)), "|r| = |d| for a d of any length");
     }
 }
 
-TEST_CASE("a mirror keeps the part of a direction that lies along it") {
+TEST_CASE("a mirror keeps the tangential part of a direction") {
     Random random(2);
     for (int i = 0; i < 200; ++i) {
         const vec3 d = 3.0f * any_direction(random), n = any_direction(random);
         const vec3 along = d - dot(d, n) * n;
         const vec3 r = reflect(d, n);
-        CHECK_MESSAGE(r - dot(r, n) * n == approx(along), "the tangential part stays, the normal one turns");
-        CHECK_MESSAGE(dot(r, n) == approx(-dot(d, n)), "the tangential part stays, the normal one turns");
+        CHECK_MESSAGE(r - dot(r, n) * n == approx(along),
+                      "the tangential part stays, the normal part is reversed");
+        CHECK_MESSAGE(dot(r, n) == approx(-dot(d, n)),
+                      "the tangential part stays, the normal part is reversed");
     }
 }
 
-TEST_CASE("to reflect twice is to do nothing") {
+TEST_CASE("reflecting twice restores the direction") {
     Random random(3);
     for (int i = 0; i < 200; ++i) {
         const vec3 d = 3.0f * any_direction(random), n = any_direction(random);
@@ -48,7 +50,7 @@ TEST_CASE("to reflect twice is to do nothing") {
     }
 }
 
-TEST_CASE("it does not matter to which side the normal points") {
+TEST_CASE("a reflection does not depend on the sign of the normal") {
     Random random(4);
     for (int i = 0; i < 200; ++i) {
         const vec3 d = 3.0f * any_direction(random), n = any_direction(random);
@@ -56,38 +58,39 @@ TEST_CASE("it does not matter to which side the normal points") {
     }
 }
 
-TEST_CASE("a corner of three mirrors sends a ray back where it came from") {
+TEST_CASE("a corner of three mirrors sends a ray back to where it came from") {
     const vec3 a = tilted, b = beside(tilted), c_ = cross(a, b);
     CHECK(reflect(reflect(reflect(slanting, a), b), c_) == approx(-slanting));
 }
 
-TEST_CASE("a ray that is mirrored starts beside the surface, on the side that it came from") {
+TEST_CASE("a reflected ray starts beside the surface, on the side from which the ray came") {
     const Hit hit = make_hit(Ray{somewhere - slanting, slanting, 0, 1}, tilted, {0, 0}, 0);
     const Ray reflected = reflected_ray({somewhere - slanting, slanting}, hit);
     CHECK(reflected.direction == approx(slanting - 2 * dot(slanting, tilted) * tilted));
     CHECK_MESSAGE(dot(reflected.origin - somewhere, tilted) > 0,
-                  "no offset, or one that goes inward: black pepper on the mirror");
-    CHECK_MESSAGE(distance(reflected.origin, somewhere) < 1e-3f, "the offset can be seen");
-    CHECK_MESSAGE(reflected.t_max == infinity, "a mirrored ray goes on for ever");
+                  "no offset, or an inward one: black pepper on the mirror");
+    CHECK_MESSAGE(distance(reflected.origin, somewhere) < 1e-3f, "the offset is visible");
+    CHECK_MESSAGE(reflected.t_max == infinity, "a reflected ray must be unbounded");
 
     const Hit back = make_hit(Ray{somewhere + slanting, -slanting, 0, 1}, tilted, {0, 0}, 0);
     const Ray behind = reflected_ray({somewhere + slanting, -slanting}, back);
     CHECK_MESSAGE(dot(behind.origin - somewhere, tilted) < 0,
-                  "a mirror that is seen from its back reflects there");
+                  "a mirror seen from behind reflects to that side");
     CHECK(dot(behind.direction, tilted) < 0);
 }
 
-TEST_CASE("a mirror turns rays around the normal to shade with, and starts them off the true surface") {
+TEST_CASE("a mirror reflects around the shading normal and offsets rays along the geometric normal") {
     const vec3 smooth = normalize(tilted + 0.4f * beside(tilted));
     const Hit hit = make_hit(Ray{somewhere - slanting, slanting, 0, 1}, tilted, smooth, {0, 0}, 0);
     const Ray reflected = reflected_ray({somewhere - slanting, slanting}, hit);
     CHECK_MESSAGE(reflected.direction == approx(slanting - 2 * dot(slanting, smooth) * smooth),
-                  "turned around hit.geometric_normal, meshes that should look smooth mirror in facets");
-    CHECK_MESSAGE(dot(reflected.origin - somewhere, beside(tilted)) == approx(0, 1e-6f),
-                  "the offset goes along hit.geometric_normal: the other may lean into the surface");
+                  "if hit.geometric_normal is used, meshes that should look smooth reflect in facets");
+    CHECK_MESSAGE(
+        dot(reflected.origin - somewhere, beside(tilted)) == approx(0, 1e-6f),
+        "the offset must be along hit.geometric_normal: the shading normal may point into the surface");
 }
 
-TEST_CASE("a mirrored ray does not meet the ball that it comes from, of whatever size and wherever") {
+TEST_CASE("a reflected ray does not hit the ball that it leaves, whatever the ball's size and position") {
     Random random(5);
     for (const float radius : {0.01f, 0.5f, 7.0f, 1000.0f})
         for (const vec3 center : {vec3(0), vec3(1, -2, 3), vec3(-300, 40, 77)}) {
@@ -104,7 +107,7 @@ TEST_CASE("a mirrored ray does not meet the ball that it comes from, of whatever
             }
             INFO("radius " << radius << " around " << to_text(center));
             CHECK_MESSAGE(again == 0,
-                          again << " of " << hits << " mirrored rays: black pepper on the mirror");
+                          again << " of " << hits << " reflected rays: black pepper on the mirror");
             CHECK(hits > 2900);
         }
 }

@@ -1,4 +1,4 @@
-// Facts about quads: where a ray meets one, where u and v run, and which way it faces.
+// Facts about quads: where a ray hits one, how u and v run, and which way it faces.
 #include "03_mirror/quad.h"
 #include "tests/03_mirror/step.h"
 
@@ -6,7 +6,7 @@ using namespace rt;
 
 namespace {
 
-/// Skewed, oblique, and with sides of different length.
+/// Skewed and oblique, with sides of different lengths.
 const Quad quad{{1, -2, 3}, {2, 0.5f, -1}, {-0.3f, 1.2f, 0.7f}, 5};
 const vec3 quad_normal = normalize(cross(quad.edge_u, quad.edge_v));
 
@@ -14,7 +14,7 @@ vec3 on_quad(float u, float v) {
     return quad.corner + u * quad.edge_u + v * quad.edge_v;
 }
 
-/// A slanting ray to this point of the quad, which it meets at t = 1.5, from the side that it faces.
+/// Returns an oblique ray from the front that hits this point of the quad at t = 1.5.
 Ray to_quad(float u, float v) {
     const vec3 direction = -2.0f * quad_normal + 0.7f * beside(quad_normal);
     return {on_quad(u, v) - 1.5f * direction, direction};
@@ -22,7 +22,7 @@ Ray to_quad(float u, float v) {
 
 } // namespace
 
-TEST_CASE("a quad is met between its edges and missed beyond them") {
+TEST_CASE("a quad is hit between its edges and missed beyond them") {
     for (const float inside : {0.001f, 0.3f, 0.999f})
         for (const float other : {0.001f, 0.6f, 0.999f}) {
             INFO("u = " << inside << ", v = " << other);
@@ -36,22 +36,22 @@ TEST_CASE("a quad is met between its edges and missed beyond them") {
         }
 }
 
-TEST_CASE("a quad is met on both sides of its diagonal") {
+TEST_CASE("a quad is hit on both sides of its diagonal") {
     CHECK(intersect(quad, to_quad(0.2f, 0.2f)));
     CHECK_MESSAGE(intersect(quad, to_quad(0.9f, 0.9f)),
-                  "u + v > 1 is the other half: that would be a triangle");
+                  "u + v > 1 is the other half: without it this would be a triangle");
 }
 
-TEST_CASE("t on a quad counts in lengths of the direction, within the ray's interval") {
+TEST_CASE("t on a quad is measured in multiples of the direction and respects the ray's interval") {
     Ray ray = to_quad(0.4f, 0.7f);
     CHECK(t_of(intersect(quad, ray)) == approx(1.5f));
     CHECK(t_of(intersect(quad, Ray{ray.origin, 2.0f * ray.direction})) == approx(0.75f));
-    CHECK_FALSE_MESSAGE(intersect(quad, Ray{ray.origin, -ray.direction}), "it lies behind");
-    CHECK_FALSE_MESSAGE(intersect(quad, Ray{ray.origin, ray.direction, 0, 1.4f}), "it lies beyond t_max");
-    CHECK_FALSE_MESSAGE(intersect(quad, Ray{ray.origin, ray.direction, 1.6f}), "it lies before t_min");
+    CHECK_FALSE_MESSAGE(intersect(quad, Ray{ray.origin, -ray.direction}), "the quad is behind the ray");
+    CHECK_FALSE_MESSAGE(intersect(quad, Ray{ray.origin, ray.direction, 0, 1.4f}), "the quad is beyond t_max");
+    CHECK_FALSE_MESSAGE(intersect(quad, Ray{ray.origin, ray.direction, 1.6f}), "the quad is before t_min");
 }
 
-TEST_CASE("a ray along a quad misses it") {
+TEST_CASE("a ray parallel to a quad misses it") {
     const Quad flat_quad{{0, 1, 0}, {2, 0, 0}, {0, 0, -3}, 0};
     CHECK_FALSE(intersect(flat_quad, Ray{{-1, 1, -1}, {1, 0, 0}}));
     CHECK_FALSE(intersect(flat_quad, Ray{{-1, 2, -1}, {1, 0, 0.2f}}));
@@ -60,7 +60,7 @@ TEST_CASE("a ray along a quad misses it") {
 TEST_CASE("u and v of a quad run along its edges from the corner") {
     for (const vec2 uv : {vec2(0.25f, 0.75f), vec2(0.9f, 0.1f), vec2(0, 1), vec2(1, 0), vec2(-0.5f, 2)})
         CHECK_MESSAGE(quad_uv(quad, dvec3(on_quad(uv.x, uv.y))) == approx(uv),
-                      "u along edge_u and v along edge_v, also if they are not at right angles");
+                      "u along edge_u and v along edge_v, even if they are not perpendicular");
     const Ray ray = to_quad(0.25f, 0.75f);
     const Hit hit = surface_hit(quad, Ray{ray.origin, ray.direction, 0, 1.5f});
     CHECK(hit.uv == approx(vec2(0.25f, 0.75f)));
@@ -68,7 +68,7 @@ TEST_CASE("u and v of a quad run along its edges from the corner") {
     CHECK(hit.material == 5);
 }
 
-TEST_CASE("a quad faces the cross product of its edges, and its back is turned to who looks at it") {
+TEST_CASE("a quad faces the cross product of its edges and the normal is flipped for rays from behind") {
     const Ray ray = to_quad(0.4f, 0.7f);
     const Hit front = surface_hit(quad, Ray{ray.origin, ray.direction, 0, 1.5f});
     CHECK(front.shading_normal == approx(quad_normal));

@@ -6,15 +6,15 @@
 
 namespace rt {
 
-/// A rectangle of this material around `middle` that faces along `normal`, 2 * half wide.
+/// Builds a square of this material around `middle` that faces along `normal`, 2 * half wide.
 inline Quad tile(vec3 middle, vec3 normal, float half, int material) {
     const vec3 u = beside(normal), v = cross(normal, u);
     return {middle - half * u - half * v, 2 * half * u, 2 * half * v, material};
 }
 
-inline const vec3 c(0.6f, 2, 0.9f); // the radiance of an even sky
+inline const vec3 c(0.6f, 2, 0.9f); // the radiance of a uniform sky
 
-/// A scene that holds one oblique tile of material 0, in an even sky, for a ray that meets it.
+/// Builds a scene of one oblique tile of material 0 under a uniform sky, to be hit by `to_tile`.
 inline Scene one_tile() {
     Scene scene{.sky = {c, c}};
     scene.quads = {tile(somewhere, tilted, 1, 0)};
@@ -22,15 +22,15 @@ inline Scene one_tile() {
 }
 inline const Ray to_tile{somewhere - 1.5f * slanting, slanting};
 
-/// Two facing mirrors of tint s, turned away from all axes, and the ray that meets them `bounces` times
-/// before it leaves between them into the sky.
+/// Two facing mirrors of tint s, oblique to all axes, and a ray that hits them `bounces` times before it
+/// leaves between them into the sky.
 struct Hall {
     Scene scene{.sky = {c, c}};
     Ray ray;
 
     Hall(int bounces, vec3 s) {
         const vec3 up = beside(tilted), along = cross(tilted, up);
-        const float height = 0.1f * float(2 * bounces); // the ray rises .2 from one mirror to the other
+        const float height = 0.1f * float(2 * bounces); // the ray rises .2 between the mirrors
         for (const float side : {-1.0f, 1.0f})
             scene.quads.push_back({somewhere + side * tilted - 3.0f * along - up, 6.0f * along,
                                    (height + 1) * up, add(scene.materials, Mirror{s})});

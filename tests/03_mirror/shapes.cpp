@@ -1,4 +1,4 @@
-// Facts about a scene with quads: what a ray meets first, and what hides a light.
+// Facts about a scene with quads: what a ray hits first, and what blocks a light.
 #include "03_mirror/scene.h"
 #include "tests/03_mirror/scenes.h"
 
@@ -8,7 +8,7 @@
 
 using namespace rt;
 
-TEST_CASE("of balls, planes and quads a ray meets the nearest, in whatever order they stand") {
+TEST_CASE("of balls, planes and quads a ray hits the closest, whatever their order") {
     const vec3 origin(3, 1, -2), direction = 2.0f * vec3(2, -3, 6) / 7.0f;
     const vec3 normal = normalize(vec3(1, -1, 3));
     const auto place = [&](int t) { return origin + float(t) * direction; };
@@ -24,14 +24,14 @@ TEST_CASE("of balls, planes and quads a ray meets the nearest, in whatever order
              {std::pair(0.0f, 1), {1.1f, 2}, {2.6f, 3}, {3.1f, 4}, {4.6f, 5}, {5.1f, 6}}) {
             const auto hit = intersect(scene, Ray{origin, direction, t_min});
             REQUIRE(hit);
-            CHECK_MESSAGE(hit->material == t, "materials count the shapes along the ray");
+            CHECK_MESSAGE(hit->material == t, "each material is the t at which the shape begins");
             CHECK(hit->t == approx(float(t)));
         }
         CHECK_FALSE(intersect(scene, Ray{origin, direction, 0, 0.9f}));
     } while (std::next_permutation(order.begin(), order.end()));
 }
 
-TEST_CASE("a segment is occluded exactly if it meets something") {
+TEST_CASE("a segment is occluded exactly if it hits something") {
     Random random(8);
     Scene scene;
     for (int i = 0; i < 20; ++i) {
@@ -47,7 +47,7 @@ TEST_CASE("a segment is occluded exactly if it meets something") {
         hidden += meets;
         wrong += occluded(scene, ray) != meets;
     }
-    CHECK_MESSAGE(wrong == 0, wrong << " of 10000 segments");
-    CHECK(hidden > 2000); // that there is something to check
+    CHECK_MESSAGE(wrong == 0, wrong << " of 10000 segments are wrong");
+    CHECK(hidden > 2000); // enough cases to check
     CHECK(hidden < 8000);
 }

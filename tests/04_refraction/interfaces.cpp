@@ -1,6 +1,6 @@
-// Facts about rays that pass boundaries: which medium lies where, how balls, bubbles and slabs turn a ray.
-// A ray that entered a ball from outside always gets out again, so total reflection is asked of air bubbles
-// in glass.
+// Facts about rays through boundaries: which medium is where, and how balls, bubbles and slabs refract a ray.
+// A ray that enters a ball from outside always gets out again, so total reflection is tested
+// with air bubbles in glass.
 #include "tests/04_refraction/scenes.h"
 
 using namespace rt;
@@ -13,7 +13,7 @@ float angle_between(vec3 a, vec3 b) {
 
 } // namespace
 
-TEST_CASE("an air bubble reflects all light that passes further than R / n from its centre") {
+TEST_CASE("an air bubble reflects all light that passes more than R / n from its centre") {
     const Glassware scene = ball_of(bubble);
     for (float offset = 0; offset < 1; offset += 0.02f) {
         if (std::abs(offset - 1 / 1.5f) < 0.001f) continue;
@@ -29,7 +29,7 @@ TEST_CASE("an air bubble reflects all light that passes further than R / n from 
     }
 }
 
-TEST_CASE("which medium a ray comes from is told by the side that it comes from") {
+TEST_CASE("the side of a boundary from which a ray comes determines its medium") {
     const Medium oil{1.47f, {1, 2, 3}}, water{1.333f, {0.3f, 0.2f, 0.1f}};
     const Dielectric drop{oil, water};
     const Glassware scene = ball_of(drop);
@@ -42,13 +42,14 @@ TEST_CASE("which medium a ray comes from is told by the side that it comes from"
     CHECK(in.incident_medium.absorption_coefficient == water.absorption_coefficient);
     CHECK(in.transmitted_medium.absorption_coefficient == oil.absorption_coefficient);
     CHECK_MESSAGE(in.reflectance == approx(fresnel_dielectric(std::sqrt(0.75f), 1.333f / 1.47f)),
-                  "at offset R / 2 the angle is 30 degrees; the direction is 2 long here, its cosine is not");
+                  "at offset R / 2 the angle is 30 degrees; the direction has length 2 here, so normalise it "
+                  "for the cosine");
 
     const Ray out_ray{center, -2.0f * tangent};
     const auto out_hit = intersect(scene, out_ray);
     REQUIRE(out_hit);
     const Interface out = make_interface(drop, out_ray, *out_hit);
-    CHECK_MESSAGE(out.incident_medium.ior == oil.ior, "the ray comes from inside: not every ray is entering");
+    CHECK_MESSAGE(out.incident_medium.ior == oil.ior, "the ray comes from inside: not every ray enters");
     CHECK(out.transmitted_medium.ior == water.ior);
     CHECK(out.transmitted_medium.absorption_coefficient == water.absorption_coefficient);
     CHECK(out.reflectance == approx(fresnel_dielectric(1, 1.47f / 1.333f)));
@@ -61,41 +62,41 @@ TEST_CASE("a refracted ray starts just beyond the boundary") {
         const auto inside = passed(scene, ray_beside(offset));
         REQUIRE(inside);
         CHECK_MESSAGE(distance(inside->origin, center) < radius,
-                      "it starts outside and meets the same side again");
+                      "the ray starts outside and hits the same boundary again");
         CHECK(distance(inside->origin, center) == approx(radius, 1e-4f));
         const auto outside = passed(scene, *inside);
         REQUIRE(outside);
         CHECK_MESSAGE(distance(outside->origin, center) > radius,
-                      "it starts inside and meets the far side again");
-        CHECK_MESSAGE(!intersect(scene, *outside), "it is out, and meets the ball no more");
+                      "the ray starts inside and hits the same boundary again");
+        CHECK_MESSAGE(!intersect(scene, *outside), "the ray is outside and must not hit the ball again");
     }
 }
 
-TEST_CASE("a ray half a radius off the centre of a glass ball is turned by 21.0576 degrees") {
+TEST_CASE("a ray half a radius off the centre of a glass ball is deflected by 21.0576 degrees") {
     const Glassware scene = ball_of(ball);
     const auto inside = passed(scene, ray_beside(0.5f));
     REQUIRE(inside);
     const auto outside = passed(scene, *inside);
     REQUIRE_MESSAGE(outside,
-                    "what got in gets out: on the way out the indices are exchanged and the normal turned");
+                    "every ray that enters gets out: on the way out, swap the indices and flip the normal");
     CHECK_MESSAGE(angle_between(outside->direction, -normal) == approx(21.0576f, 1e-4f),
-                  "10.53: bent only once; 0: not at all");
-    CHECK_MESSAGE(dot(outside->direction, tangent) < 0, "a ball of glass bends light towards its axis");
+                  "10.53: refracted only once; 0: not at all");
+    CHECK_MESSAGE(dot(outside->direction, tangent) < 0, "a glass ball refracts light towards its axis");
     CHECK(length(outside->direction) == approx(2));
 }
 
-TEST_CASE("a ray half a radius off the centre of an air bubble in glass is turned away from its axis") {
-    // in: asin(.5) = 30 -> asin(.75) = 48.5904, twice the difference
+TEST_CASE("a ray half a radius off the centre of an air bubble in glass is deflected away from its axis") {
+    // Inward, asin(.5) = 30 becomes asin(.75) = 48.5904 degrees; the total is twice the difference.
     const Glassware scene = ball_of(bubble);
     const auto inside = passed(scene, ray_beside(0.5f));
     REQUIRE(inside);
     const auto outside = passed(scene, *inside);
     REQUIRE(outside);
     CHECK(angle_between(outside->direction, -normal) == approx(37.1808f, 1e-4f));
-    CHECK_MESSAGE(dot(outside->direction, tangent) > 0, "a bubble spreads light");
+    CHECK_MESSAGE(dot(outside->direction, tangent) > 0, "a bubble makes light diverge");
 }
 
-TEST_CASE("a glass ball brings rays near its axis together 1.5 radii from its centre") {
+TEST_CASE("a glass ball focuses rays near its axis 1.5 radii from its centre") {
     const Glassware scene = ball_of(ball);
     for (const float offset : {0.02f, 0.01f, -0.01f}) {
         const auto inside = passed(scene, ray_beside(offset));
@@ -105,11 +106,11 @@ TEST_CASE("a glass ball brings rays near its axis together 1.5 radii from its ce
         const vec3 from_center = outside->origin - center;
         const float t = -dot(from_center, tangent) / dot(outside->direction, tangent);
         CHECK_MESSAGE(dot(from_center + t * outside->direction, -normal) == approx(1.5f * radius, 1e-3f),
-                      "focal length n R / (2 (n - 1)), from the centre");
+                      "focal length n R / (2 (n - 1)), measured from the centre");
     }
 }
 
-TEST_CASE("a ray that entered a glass ball from outside can always leave it") {
+TEST_CASE("a ray that enters a glass ball from outside can always leave it") {
     for (const float ior : {1.01f, 1.5f, 2.417f, 4.0f}) {
         const Dielectric glass{{ior}};
         const Glassware scene = ball_of(glass);
@@ -128,7 +129,7 @@ TEST_CASE("a ray that entered a glass ball from outside can always leave it") {
     }
 }
 
-TEST_CASE("a slab moves a ray aside and does not turn it") {
+TEST_CASE("a slab shifts a ray sideways and does not change its direction") {
     const Glassware scene = slab_of(glass_15, 0.7f);
     const vec3 direction = arriving(60);
     const auto inside = passed(scene, Ray{-direction, direction});
@@ -136,7 +137,7 @@ TEST_CASE("a slab moves a ray aside and does not turn it") {
     const auto outside = passed(scene, *inside);
     REQUIRE(outside);
     CHECK(outside->direction == approx(direction));
-    // The depth times sin_i (1 - cos_i / (n cos_t)), to the side of the normal.
+    // The shift is depth times sin_i (1 - cos_i / (n cos_t)).
     const float sin_i = std::sin(glm::radians(60.0f)), cos_t = std::sqrt(1 - sin_i * sin_i / 2.25f);
     CHECK(length(cross(outside->origin, direction)) / 2 ==
           approx(0.7f * sin_i * (1 - 0.5f / (1.5f * cos_t)), 1e-4f));
@@ -158,9 +159,9 @@ TEST_CASE("a ray through a bubble in a ball passes air, glass, air, glass and ai
         const auto refracted = refracted_ray(ray, *hit, interface);
         REQUIRE(refracted);
         ray = *refracted;
-        // Concentric spheres keep n b: the distance of the ray's line from the centre, times the index.
+        // Concentric spheres conserve n b: the index times the distance of the ray's line from the centre.
         const float b = length(cross(ray.origin - center, ray.direction)) / length(ray.direction);
         CHECK(indices[i + 1] * b == approx(0.3f * radius, 1e-4f));
     }
-    CHECK_MESSAGE(!intersect(scene, ray), "after four boundaries it is out");
+    CHECK_MESSAGE(!intersect(scene, ray), "after four boundaries the ray must be outside");
 }

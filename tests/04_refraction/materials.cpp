@@ -1,11 +1,11 @@
-// Facts about the older materials in a world with glass: coats over it, and what is matte behind it.
+// Facts about earlier materials combined with glass: coats over glass, and matte surfaces behind it.
 #include "04_refraction/radiance.h"
 #include "tests/04_refraction/scenes.h"
 
 using namespace rt;
 
-TEST_CASE("a coat of reflectivity r over glass shows r of the mirror and the rest of the glass") {
-    Glassware scene; // a lake without a floor: one boundary is all that a ray meets
+TEST_CASE("a coat of reflectivity r over glass shows r of the mirror and 1 - r of the glass") {
+    Glassware scene; // a lake without a bottom: a ray crosses one boundary
     scene.sky = {{1, 0.2f, 0}, {0, 0.7f, 1}};
     const int lake = add(scene.materials, Dielectric{{1.333f}});
     const int mirror = add(scene.materials, Mirror{{0.9f, 0.5f, 0.3f}});
@@ -17,7 +17,7 @@ TEST_CASE("a coat of reflectivity r over glass shows r of the mirror and the res
     CHECK(seen(coated) == approx(0.7f * seen(lake) + 0.3f * seen(mirror)));
 }
 
-TEST_CASE("a matte floor is lit and seen through glass as it is without") {
+TEST_CASE("a matte floor is lit and seen through clear glass as without it") {
     Scene scene;
     const int chalk = add(scene.materials, Diffuse{{0.8f, 0.4f, 0.5f}});
     const int squares = add(scene.materials, Checkerboard{{0.8f, 0.4f, 0.5f}, {0.8f, 0.4f, 0.5f}, 0.3f});

@@ -1,4 +1,4 @@
-// Scenes of glass for the checks of step 04: a ball, a slab, a white furnace, and rays that go through them.
+// Scenes of glass for the checks of step 04: a ball, a slab, a white furnace, and rays through them.
 #pragma once
 
 #include "04_refraction/scene.h"
@@ -8,15 +8,15 @@
 
 namespace rt {
 
-/// A scene that loses its patience: a ray that meets again and again the surface that it leaves would double
-/// the work with each boundary, and a check should fail rather than hang.
+/// A scene that limits its number of queries: a ray that repeatedly hits the surface that it leaves would
+/// double the work at each boundary, and a check should fail instead of hanging.
 struct Glassware : Scene {
     mutable int questions = 0;
 };
 
 inline std::optional<Hit> intersect(const Glassware& scene, const Ray& ray) {
     if (++scene.questions > 1000000)
-        throw std::runtime_error("a million rays: do they start where they meet the same surface again?");
+        throw std::runtime_error("a million rays: do they start where they hit the same surface again?");
     return intersect(static_cast<const Scene&>(scene), ray);
 }
 
@@ -33,19 +33,20 @@ inline Glassware white_furnace() {
 inline const vec3 center = {1, -2, 3};
 inline constexpr float radius = 2;
 
-/// One ball of radius 2 off the origin, in a world that shines white from everywhere.
+/// Builds one ball of radius 2 away from the origin, in a uniformly white world.
 inline Glassware ball_of(const Dielectric& glass) {
     Glassware scene = white_furnace();
     scene.spheres = {{center, radius, add(scene.materials, glass)}};
     return scene;
 }
 
-/// A ray with |d| = 2 that flies along -normal past the centre, `offset` radii beside it. It starts 5 away.
+/// Returns a ray with |d| = 2 along -normal that passes the centre at `offset` radii.
+/// It starts 5 units before it.
 inline Ray ray_beside(float offset) {
     return {center + 5.0f * normal + offset * radius * tangent, -2.0f * normal};
 }
 
-/// The ray that goes on through the first boundary that `ray` meets, if any does.
+/// Returns the refracted ray at the first boundary that `ray` hits, if there is one.
 inline std::optional<Ray> passed(const Glassware& scene, const Ray& ray) {
     const auto hit = intersect(scene, ray);
     if (!hit) return std::nullopt;
@@ -53,7 +54,7 @@ inline std::optional<Ray> passed(const Glassware& scene, const Ray& ray) {
     return refracted_ray(ray, *hit, make_interface(glass, ray, *hit));
 }
 
-/// A slab of glass between two planes at right angles to `normal`, its upper side through the origin.
+/// Builds a slab of glass between two planes perpendicular to `normal`, its upper side through the origin.
 inline Glassware slab_of(const Medium& medium, float thickness) {
     Glassware scene;
     const int glass = add(scene.materials, Dielectric{medium});

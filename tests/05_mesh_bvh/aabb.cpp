@@ -1,4 +1,4 @@
-// Where a ray enters a box, rays in the plane of a face or along an edge among them; and how a box grows.
+// Facts about boxes: where a ray enters one, also in the plane of a face or along an edge; how boxes grow.
 #include "05_mesh_bvh/aabb.h"
 #include "tests/05_mesh_bvh/rays.h"
 #include "tests/check.h"
@@ -15,7 +15,8 @@ TEST_CASE("a ray enters a box where it first touches one of its faces") {
     Random random(21);
     for (int i = 0; i < 20000; ++i) {
         const Ray ray{centroid(box_3x3x2) + 6.0f * random_direction(random), random_direction(random)};
-        // Independent of slabs: meet the plane of each face and see whether the point lies within the face.
+        // Independent of slabs: intersect the plane of each face and test whether
+        // the point is within the face.
         double first = 1e30, margin = 1e30;
         for (int axis = 0; axis < 3; ++axis) {
             for (const vec3 corner : {box_3x3x2.min, box_3x3x2.max}) {
@@ -37,8 +38,8 @@ TEST_CASE("a ray enters a box where it first touches one of its faces") {
         const auto t = intersect(box_3x3x2, ray);
         if (t.has_value() != (first < 1e30)) {
             FAIL_CHECK("from ", ray.origin, " along ", ray.direction,
-                       std::string(t ? ": it misses" : ": it meets the box"),
-                       " (slabs without exchanging near and far lose every ray that flies backwards)");
+                       std::string(t ? ": expected a miss" : ": expected a hit"),
+                       " (slabs that do not swap near and far lose every ray with a negative direction)");
         } else if (t && !(*t == approx(starts_inside ? 0 : float(first), 1e-4f))) {
             FAIL_CHECK("from ", ray.origin, " along ", ray.direction, ": expected entry at ", first, ", got ",
                        *t);
@@ -54,18 +55,19 @@ TEST_CASE("a ray that starts inside a box enters it at t_min") {
 }
 
 TEST_CASE("a box behind the ray, beyond t_max or before t_min is not entered") {
-    const vec3 direction{0.1f, -0.2f, -2}; // |d| about 2: it is in the box from t = 2.5 to 3.5
+    const vec3 direction{0.1f, -0.2f, -2}; // |d| is about 2: the ray is in the box from t = 2.5 to 3.5
     const vec3 from{0, 0, 10};
     CHECK(intersect(box_3x3x2, Ray{from, direction}) == 2.5f);
-    CHECK_MESSAGE(!intersect(box_3x3x2, Ray{from, -direction}), "it lies behind: only work, but much of it");
+    CHECK_MESSAGE(!intersect(box_3x3x2, Ray{from, -direction}),
+                  "the box is behind the ray: no error in the image, but much wasted work");
     CHECK_MESSAGE(!intersect(box_3x3x2, Ray{from, direction, 0, 2.4f}),
-                  "it lies beyond t_max: only work, but much of it");
-    CHECK_MESSAGE(!intersect(box_3x3x2, Ray{from, direction, 3.6f, 9}), "it lies before t_min");
+                  "the box is beyond t_max: no error in the image, but much wasted work");
+    CHECK_MESSAGE(!intersect(box_3x3x2, Ray{from, direction, 3.6f, 9}), "the box is before t_min");
     CHECK(intersect(box_3x3x2, Ray{from, direction, 0, 2.6f}).has_value());
     CHECK(intersect(box_3x3x2, Ray{from, direction, 3.4f, 9}) == 3.4f);
 }
 
-TEST_CASE("a ray that stands still along an axis misses a box beside it") {
+TEST_CASE("a ray whose direction is zero along an axis misses a box beside it") {
     for (const float t_max : {100.0f, infinity}) {
         for (int axis = 0; axis < 3; ++axis) {
             for (const float zero : {0.0f, -0.0f}) {
@@ -73,12 +75,11 @@ TEST_CASE("a ray that stands still along an axis misses a box beside it") {
                     vec3 direction{-0.3f, 0.4f, 0.2f};
                     direction[axis] = zero;
                     vec3 origin = centroid(box_3x3x2) - 4.0f * direction;
-                    INFO("axis ", axis, ", direction ", direction, ", t_max ", t_max, ", beside it at ",
-                         side);
+                    INFO("axis ", axis, ", direction ", direction, ", t_max ", t_max, ", offset ", side);
                     CHECK(intersect(box_3x3x2, Ray{origin, direction, 0, t_max}).has_value());
                     origin[axis] += side * 2;
                     CHECK_MESSAGE(!intersect(box_3x3x2, Ray{origin, direction, 0, t_max}),
-                                  "an entry at infinity is none, even if the ray goes on for ever");
+                                  "an entry at infinity is a miss, even if the ray is unbounded");
                 }
             }
         }
@@ -96,7 +97,7 @@ TEST_CASE("a ray in the plane of a face hits the box, whatever the sign of its z
                     origin[axis] = corner[axis];
                     INFO("axis ", axis, ", direction ", direction, ", plane at ", corner[axis]);
                     CHECK_MESSAGE(intersect(box_3x3x2, Ray{origin - 8.0f * direction, direction}).has_value(),
-                                  "0 * infinity is NaN: compare so that it changes nothing");
+                                  "0 * infinity is NaN: write the comparison so that NaN changes nothing");
                     CHECK(intersect(box_3x3x2, Ray{origin, direction}) == 0.0f);
                 }
             }
@@ -121,20 +122,20 @@ TEST_CASE("a ray along an edge of a box hits it") {
     }
 }
 
-TEST_CASE("a ray that is aimed at a corner of a box is not lost by rounding") {
+TEST_CASE("a ray aimed at a corner of a box is not lost by rounding") {
     Random random(22);
     int lost = 0;
     for (int i = 0; i < 100000; ++i) {
         const vec3 low = 3.0f * random_point(random), high = low + random_point(random);
         const vec3 corner = {i & 1 ? low.x : high.x, i & 2 ? low.y : high.y, i & 4 ? low.z : high.z};
-        const vec3 from =
-            corner + 3.0f * random_direction(random); // most touch the box there and nowhere else
+        const vec3 from = corner + 3.0f * random_direction(random); // most touch the box only there
         lost += !intersect(Aabb{low, high}, Ray{from, corner - from}).has_value();
     }
-    CHECK_MESSAGE(lost == 0, "of 100,000: in and out are a rounding apart there, so widen the box a little");
+    CHECK_MESSAGE(lost == 0,
+                  "of 100,000: entry and exit differ only by rounding there, so widen the box slightly");
 }
 
-TEST_CASE("a box without thickness is hit") {
+TEST_CASE("a box of zero thickness is hit") {
     for (int axis = 0; axis < 3; ++axis) {
         Aabb flat_box = box_3x3x2;
         flat_box.max[axis] = flat_box.min[axis];
@@ -147,7 +148,7 @@ TEST_CASE("a box without thickness is hit") {
             invented += intersect(flat_box, Ray{origin, target - origin, 0, 0.99f}).has_value();
         }
         INFO("flat along axis ", axis);
-        CHECK_MESSAGE(lost == 0, "a floor or a wall lies in such a box: t_near <= t_far, not <");
+        CHECK_MESSAGE(lost == 0, "a floor or a wall has such a box: t_near <= t_far, not <");
         CHECK(invented == 0);
         vec3 head_on{0};
         head_on[axis] = -2;
@@ -155,7 +156,7 @@ TEST_CASE("a box without thickness is hit") {
     }
 }
 
-TEST_CASE("a box grows to hold points and boxes, and an empty one holds nothing") {
+TEST_CASE("a box grows to enclose points and boxes; an empty box encloses nothing") {
     Aabb box;
     CHECK(half_area(box) == 0);
     extend(box, vec3(1, 5, -2));
@@ -166,7 +167,7 @@ TEST_CASE("a box grows to hold points and boxes, and an empty one holds nothing"
     CHECK(box.min == vec3(1, 2, -2));
     CHECK(box.max == vec3(3, 5, 2));
     CHECK(centroid(box) == vec3(2, 3.5f, 0));
-    CHECK_MESSAGE(half_area(box) == 26, "2 x 3 x 4: 6 + 12 + 8; 24 would be the volume");
+    CHECK_MESSAGE(half_area(box) == 26, "2 x 3 x 4: 6 + 12 + 8; 24 is the volume");
     extend(box, Aabb{});
     CHECK(box.min == vec3(1, 2, -2));
     CHECK(box.max == vec3(3, 5, 2));

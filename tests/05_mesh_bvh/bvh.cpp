@@ -1,5 +1,5 @@
-// How a ray walks down a binary tree, and that the tree is a good one: little work to walk down, little to
-// make. That it changes nothing of what a ray meets is in 05_mesh_bvh_bvh_in_scenes.cpp.
+// Facts about the binary tree: how a ray traverses it, and the cost of traversal and construction.
+// That the tree does not change what a ray hits is checked in 05_mesh_bvh_bvh_in_scenes.cpp.
 #include "05_mesh_bvh/bvh.h"
 #include "05_mesh_bvh/triangle.h"
 #include "common/math/random.h"
@@ -12,8 +12,8 @@ using namespace rt;
 
 namespace {
 
-/// What rays between points around the unit cube cost, that cube being `scale` wide. Triangles and their tree
-/// are all that they ask: a whole scene would take long to compile.
+/// Returns the cost of rays between points around the unit cube, scaled by `scale`. It tests only triangles
+/// and their tree, because a whole scene would take long to compile.
 RayStats cost_of(const ObjModel& file, int rays, float scale = 1) {
     const Bvh bvh = build_bvh(boxes_of(file));
     Random random(5);
@@ -35,9 +35,9 @@ RayStats cost_of(const ObjModel& file, int rays, float scale = 1) {
 
 } // namespace
 
-// ------------------------------------------------------------------------------------ how a tree is walked
+// ----------------------------------------------------------------------------------------------- traversal
 
-TEST_CASE("a walk asks each shape whose box the ray enters, and none twice") {
+TEST_CASE("a traversal tests each shape whose box the ray enters and none twice") {
     const auto boxes = boxes_of(random_triangles(800, 0.3f));
     const Bvh bvh = build_bvh(boxes);
     Random random(51);
@@ -53,19 +53,19 @@ TEST_CASE("a walk asks each shape whose box the ray enters, and none twice") {
             missed += asked[k] == 0 && intersect(boxes[k], ray);
             twice += asked[k] > 1;
         }
-        CHECK_MESSAGE(missed == 0, "shapes that were not asked");
-        CHECK_MESSAGE(twice == 0, "shapes that were asked twice");
+        CHECK_MESSAGE(missed == 0, "shapes that were not tested");
+        CHECK_MESSAGE(twice == 0, "shapes that were tested twice");
     }
 }
 
-TEST_CASE("a walk ends at once when a leaf says so") {
+TEST_CASE("a traversal ends immediately when a leaf requests it") {
     const Bvh bvh = build_bvh(std::vector<Aabb>(100, Aabb{{-1, -1, -1}, {1, 1, 1}}));
     int calls = 0;
     traverse(bvh, Ray{{0, 0, 5}, {0.01f, 0, -1}}, [&](std::uint32_t) { return ++calls == 3; });
     CHECK(calls == 3);
 }
 
-TEST_CASE("a walk goes to the near boxes first and passes over those beyond what was found") {
+TEST_CASE("a traversal visits near boxes first and skips those beyond the closest hit") {
     for (int axis = 0; axis < 3; ++axis) {
         for (const float sign : {1.0f, -1.0f}) {
             std::vector<Aabb> row;
@@ -86,20 +86,20 @@ TEST_CASE("a walk goes to the near boxes first and passes over those beyond what
                 if (const auto t = intersect(row[shape], slab, ray.t_min, ray.t_max)) ray.t_max = *t;
                 return false;
             });
-            INFO("axis ", axis, ", sign ", sign, ": ", calls, " shapes asked, ", ray_stats.box_tests,
+            INFO("axis ", axis, ", sign ", sign, ": ", calls, " shapes tested, ", ray_stats.box_tests,
                  " boxes");
             CHECK(ray.t_max < 20);
-            CHECK_MESSAGE(calls <= 16,
-                          "about one leaf; 1,000: what was found does not shorten the search, or the far "
-                          "child goes first");
+            CHECK_MESSAGE(
+                calls <= 16,
+                "about one leaf; 1,000: a hit does not shorten the ray, or the far child is visited first");
             CHECK(ray_stats.box_tests <= 100);
             CHECK(ray_stats.box_tests >= 5);
         }
     }
 }
 
-TEST_CASE("what lies behind the thing that was found is not asked any more") {
-    std::vector<Aabb> heap; // 40 boxes near by and one far behind them
+TEST_CASE("shapes behind a hit that was found are not tested any more") {
+    std::vector<Aabb> heap; // 40 boxes close to the ray's origin and one far behind them
     Random random(52);
     for (int i = 0; i < 41; ++i) {
         const vec3 p = vec3(0, 0, i < 40 ? -5 : -500) + 0.1f * random_point(random);
@@ -114,10 +114,10 @@ TEST_CASE("what lies behind the thing that was found is not asked any more") {
         return false;
     });
     CHECK(ray.t_max == 5);
-    CHECK_MESSAGE(far_ones == 0, "a box put aside may lie beyond t_max by the time its turn comes");
+    CHECK_MESSAGE(far_ones == 0, "a box on the stack may be beyond t_max by the time it is popped");
 }
 
-// ------------------------------------------------------------------------------------------- what it costs
+// ---------------------------------------------------------------------------------------------------- cost
 
 TEST_CASE("the work does not depend on the unit of length") {
     float triangles[3] = {}, boxes[3] = {};
@@ -132,12 +132,12 @@ TEST_CASE("the work does not depend on the unit of length") {
     for (std::size_t i = 1; i < 3; ++i) {
         INFO("scale ", scales[i]);
         CHECK_MESSAGE(triangles[i] == approx(triangles[0], 0.05f),
-                      "areas are counted in areas of the parent");
+                      "areas must be relative to that of the parent");
         CHECK(boxes[i] == approx(boxes[0], 0.05f));
     }
 }
 
-TEST_CASE("walls and floors, whose boxes are flat, make a good tree too") {
+TEST_CASE("walls and floors with flat boxes make a good tree too") {
     ObjModel file = empty_file();
     Random random(53);
     for (int i = 0; i < 2000; ++i) { // small triangles in the three planes through the origin
@@ -146,16 +146,16 @@ TEST_CASE("walls and floors, whose boxes are flat, make a good tree too") {
         add_triangle(file, p, p + q, p + r);
     }
     const RayStats cost = cost_of(file, 3000);
-    INFO("triangle tests a ray ", float(cost.triangle_tests) / 3000);
+    INFO("triangle tests per ray ", float(cost.triangle_tests) / 3000);
     CHECK_MESSAGE(float(cost.box_tests) / 3000 < 45,
-                  "70: volume for area, and the volume of a flat box is 0");
+                  "70: the cost uses volume instead of area, and the volume of a flat box is 0");
     CHECK(float(cost.triangle_tests) / 3000 < 3);
 }
 
-TEST_CASE("eight times as many triangles take not much more than eight times as long to make a tree of") {
+TEST_CASE("building a tree of eight times as many triangles takes little more than eight times as long") {
     const auto seconds = [](int count) {
         const auto boxes = boxes_of(random_triangles(count, 0.02f));
-        double best = 1e9; // of three, in processor time: other programs do not count
+        double best = 1e9; // of three, in processor time, so that other programs do not count
         for (int i = 0; i < 3; ++i) {
             const std::clock_t start = std::clock();
             const Bvh bvh = build_bvh(boxes);
@@ -166,5 +166,5 @@ TEST_CASE("eight times as many triangles take not much more than eight times as 
     };
     const double few = seconds(8000), many = seconds(64000);
     CHECK_MESSAGE(many < 25 * few + 0.05, few, " s for 8,000, ", many,
-                  " s for 64,000; 64 times: each level copies or looks at all triangles");
+                  " s for 64,000; 64 times: each level copies or visits all triangles");
 }

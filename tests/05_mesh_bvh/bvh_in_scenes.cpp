@@ -1,5 +1,5 @@
-// A binary tree never changes what a ray meets, and saves nearly all of the work. Every random ray has a
-// fixed seed, so these checks pass or fail for good.
+// Facts about a binary tree in a scene: it never changes what a ray hits, and saves nearly all of the work.
+// All random rays have fixed seeds, so the results are reproducible.
 #include "01_spheres/debug_view.h"
 #include "05_mesh_bvh/scene.h"
 #include "common/math/random.h"
@@ -11,14 +11,14 @@ using namespace rt;
 
 namespace {
 
-const vec3 a = {1, -2, 3}, b = {3, 1, 4}, c = {-1, 2, 6}; // a skew triangle
+const vec3 a = {1, -2, 3}, b = {3, 1, 4}, c = {-1, 2, 6}; // a skewed triangle
 
 void check_tree_changes_nothing(const ObjModel& file, int count) {
     const Scene scene = scene_of(file);
     check_tree_changes_nothing(scene, bounds(scene.mesh), count);
 }
 
-/// What rays between points around the unit cube cost.
+/// Returns the cost of rays between points around the unit cube.
 RayStats cost_of(Scene scene, Accel accel, int rays) {
     scene = with(scene, accel);
     Random random(5);
@@ -33,11 +33,12 @@ RayStats cost_of(Scene scene, Accel accel, int rays) {
 
 } // namespace
 
-TEST_CASE("the tree finds what asking every triangle finds, among 2,000 random triangles") {
+TEST_CASE("the tree finds the same hits as testing every triangle among 2000 random triangles") {
     check_tree_changes_nothing(random_triangles(2000, 0.15f), 1200);
 }
 
-TEST_CASE("the tree finds what asking every triangle finds, far from the origin and very small") {
+TEST_CASE(
+    "the tree finds the same hits as testing every triangle far from the origin and at a very small size") {
     ObjModel far = random_triangles(300, 0.3f);
     transform(far, 50, vec3(1e4f, -1e4f, 1e4f));
     check_tree_changes_nothing(far, 3000);
@@ -46,11 +47,12 @@ TEST_CASE("the tree finds what asking every triangle finds, far from the origin 
     check_tree_changes_nothing(small, 3000);
 }
 
-TEST_CASE("the tree finds what asking every triangle finds, on a flat grid") {
+TEST_CASE("the tree finds the same hits as testing every triangle on a flat grid") {
     check_tree_changes_nothing(flat_grid(20), 1500);
 }
 
-TEST_CASE("the tree finds what asking every triangle finds, among 100 identical triangles, one, and none") {
+TEST_CASE(
+    "the tree finds the same hits as testing every triangle among 100 identical triangles, one, and none") {
     ObjModel identical = empty_file(), one = empty_file();
     for (int i = 0; i < 100; ++i) add_triangle(identical, a, b, c);
     add_triangle(one, a, b, c);
@@ -62,7 +64,7 @@ TEST_CASE("the tree finds what asking every triangle finds, among 100 identical 
     CHECK(!occluded(none, Ray{{0, 0, 5}, {0, 0.1f, -1}}));
 }
 
-TEST_CASE("the tree finds what asking every triangle finds, with triangles without area among them") {
+TEST_CASE("the tree finds the same hits as testing every triangle if some triangles have no area") {
     ObjModel file = random_triangles(200, 0.4f);
     Random random(31);
     for (int i = 0; i < 100; ++i) {
@@ -74,7 +76,7 @@ TEST_CASE("the tree finds what asking every triangle finds, with triangles witho
     check_tree_changes_nothing(file, 2000);
 }
 
-TEST_CASE("the tree finds what asking every triangle finds, among long splinters and one huge floor") {
+TEST_CASE("the tree finds the same hits as testing every triangle among long splinters and one huge floor") {
     ObjModel file = empty_file();
     Random random(32);
     for (int i = 0; i < 300; ++i) {
@@ -86,7 +88,8 @@ TEST_CASE("the tree finds what asking every triangle finds, among long splinters
     check_tree_changes_nothing(scene, {vec3(0), vec3(1)}, 2000);
 }
 
-TEST_CASE("the tree finds what asking every triangle finds, in a long chain and in one that doubles") {
+TEST_CASE("the tree finds the same hits as testing every triangle in a long chain and in an exponentially "
+          "spaced one") {
     ObjModel chain = empty_file();
     for (int i = 0; i < 1500; ++i) {
         const vec3 p{float(i), 0.1f * float(i % 7), 0};
@@ -103,7 +106,8 @@ TEST_CASE("the tree finds what asking every triangle finds, in a long chain and 
         check_tree_changes_nothing(scene, {vec3(0), vec3(std::ldexp(1.0f, k))}, 100);
 }
 
-TEST_CASE("the tree finds what asking every sphere finds, alone and among triangles, planes and quads") {
+TEST_CASE(
+    "the tree finds the same hits as testing every sphere alone and among triangles, planes and quads") {
     Random random(33);
     Scene scene;
     const int grey = add(scene.materials, Diffuse{vec3(0.5f)});
@@ -118,30 +122,28 @@ TEST_CASE("the tree finds what asking every sphere finds, alone and among triang
     check_tree_changes_nothing(scene, {vec3(0), vec3(1)}, 2000);
 }
 
-TEST_CASE("the work view counts what is tested: every triangle by brute force, few by a tree") {
+TEST_CASE("the work view counts the tests: every triangle by brute force and few by a tree") {
     const Scene scene = scene_of(random_triangles(2000, 0.2f));
     const Ray ray{{-1, 0.4f, 0.3f}, {2, 0.1f, 0.3f}};
     const vec3 brute = debug_colour(with(scene, Accel::brute), ray, DebugView::traversal_cost, 1);
     CHECK(brute == approx(heat_map(std::log2(2001.0f) / 16)));
     const vec3 tree = debug_colour(with(scene, Accel::bvh), ray, DebugView::traversal_cost, 1);
     CHECK(tree.x > 0);
-    CHECK(dot(tree, vec3(1)) < 0.7f * dot(brute, vec3(1))); // 11 doublings against 6
+    CHECK(dot(tree, vec3(1)) < 0.7f * dot(brute, vec3(1))); // log2 of the test counts: 11 versus 6
 }
 
-TEST_CASE("among 2,000 random triangles a ray asks about 10 of them") {
+TEST_CASE("among 2000 random triangles a ray tests about 10 of them") {
     const Scene scene = scene_of(random_triangles(2000, 0.2f));
     const int rays = 3000;
     const RayStats tree = cost_of(scene, Accel::bvh, rays);
     const float triangles = float(tree.triangle_tests) / float(rays),
                 boxes = float(tree.box_tests) / float(rays);
-    INFO("triangle tests a ray ", triangles, ", box tests a ray ", boxes);
-    CHECK_MESSAGE(triangles < 15,
-                  "50: the list is halved in place of a heuristic; 185 and more: the heuristic "
-                  "forgets the count; 2,000: no tree at all");
+    INFO("triangle tests per ray ", triangles, ", box tests per ray ", boxes);
+    CHECK_MESSAGE(triangles < 15, "50: the list is split at the median instead of by a heuristic; 185 or "
+                                  "more: the heuristic ignores the count; 2,000: no tree at all");
     CHECK(triangles > 1);
-    CHECK_MESSAGE(boxes < 100,
-                  "260 or 400: the heuristic upside down, or one axis only; or boxes behind the ray or "
-                  "beyond what was found are entered");
+    CHECK_MESSAGE(boxes < 100, "260 or 400: the heuristic is inverted or uses only one axis; or boxes behind "
+                               "the ray or beyond the closest hit are entered");
     CHECK(tree.rays == rays);
     const RayStats brute = cost_of(scene, Accel::brute, 100);
     CHECK(brute.triangle_tests == 100 * 2000);

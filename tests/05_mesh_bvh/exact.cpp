@@ -1,5 +1,6 @@
-// Facts about where rays meet things: as exactly as a float can say, whatever the size of the shape, however it is
-// found; so that a new ray starts off the surface and on the right side of it.
+// Facts about the precision of hits.
+// Hits are as exact as a float allows, for any size of shape and any acceleration structure, so that a
+// secondary ray starts off the surface and on the correct side.
 #include "02_shadows/spawn_ray.h"
 #include "05_mesh_bvh/scene.h"
 #include "common/math/random.h"
@@ -14,7 +15,8 @@ float any_size(Random& random) {
     return std::pow(10.0f, 6 * random.uniform() - 3); // from a millimetre to a kilometre
 }
 
-/// Triangles, quads and balls of sizes that span six orders, in a few metres, and a plane.
+/// Builds triangles, quads and balls within a few metres, with sizes over six orders
+/// of magnitude, and a plane.
 Scene mixed_scene(std::uint64_t seed) {
     Random random(seed);
     ObjModel file = empty_file();
@@ -46,7 +48,7 @@ std::array<Scene, 3> by_all_ways(const Scene& scene) {
     return all;
 }
 
-/// How far the new origin is above the surface along its normal, in units of the hit's error: 1, up to rounding.
+/// Returns the height of a point above the triangle's plane along its normal.
 double height_over_triangle(const Mesh& mesh, std::uint32_t i, vec3 point) {
     const auto [a, b, c] = vertices(mesh, i);
     return dot(dvec3(point) - dvec3(a), normalize(area_normal({a, b, c})));
@@ -54,14 +56,14 @@ double height_over_triangle(const Mesh& mesh, std::uint32_t i, vec3 point) {
 
 } // namespace
 
-TEST_CASE("all ways of finding agree on t, among shapes whose sizes span six orders") {
+TEST_CASE("all acceleration structures agree on t among shapes of sizes over six orders of magnitude") {
     Random random(31);
     int hits = 0, lost = 0, off = 0, shadows = 0, count = 0;
     for (const std::uint64_t seed : {1, 2, 3}) {
         const auto [brute, bvh, wide] = by_all_ways(mixed_scene(seed));
         for (int i = 0; i < 4000; ++i, ++count) {
             Ray ray{4.0f * random_direction(random), random_direction(random)};
-            if (i % 2 == 0) // from a surface, as bounces and shadow rays start
+            if (i % 2 == 0) // from a surface, like bounces and shadow rays
                 if (const auto hit = intersect(brute, ray)) ray = spawn_ray(*hit, random_direction(random));
             if (i % 3 == 0) ray.t_max = 2;
             const auto right = intersect(brute, ray);
@@ -76,13 +78,14 @@ TEST_CASE("all ways of finding agree on t, among shapes whose sizes span six ord
     }
     INFO(hits, " of ", count, " rays hit");
     CHECK(hits > count / 3);
-    CHECK_MESSAGE(lost <= 2, "only at the very outline of a shape may one way see it and another miss it");
-    CHECK_MESSAGE(off <= 2, "where a ray meets a shape is for the exact test of the shape to say");
+    CHECK_MESSAGE(lost <= 2,
+                  "only at the very outline of a shape may one structure find a hit and another miss it");
+    CHECK_MESSAGE(off <= 2, "only the exact test of the shape may decide where a ray hits it");
     CHECK(shadows <= 2);
 }
 
-TEST_CASE("a new ray starts off the surface and on the right side, whatever the triangle's size and the "
-          "eye's distance") {
+TEST_CASE("a secondary ray starts off the surface on the correct side, whatever the triangle's size and the "
+          "camera's distance") {
     Random random(32);
     double lowest = infinity, highest = 0;
     for (int i = 0; i < 20000; ++i) {
@@ -93,7 +96,7 @@ TEST_CASE("a new ray starts off the surface and on the right side, whatever the 
                    c = shift + size * random_direction(random);
         add_triangle(file, a, b, c);
         const vec3 n = cross(normalize(b - a), normalize(c - a));
-        if (length(n) < 0.05f) continue; // a needle
+        if (length(n) < 0.05f) continue; // too thin
         Scene scene;
         append_model(scene.mesh, file, {0}, 0);
         scene.accel = i % 2 == 0 ? Accel::wide : Accel::brute;
@@ -110,13 +113,13 @@ TEST_CASE("a new ray starts off the surface and on the right side, whatever the 
             highest = std::max(highest, above);
         }
     }
-    INFO("between ", lowest, " and ", highest, " times the error");
-    CHECK_MESSAGE(lowest > 0, "it starts on the other side: acne, or light from within");
-    CHECK_MESSAGE(highest < 2, "it starts too far off: shadows come loose");
+    INFO("between ", lowest, " and ", highest, " times the error bound");
+    CHECK_MESSAGE(lowest > 0, "the ray starts on the other side: shadow acne, or light leaks");
+    CHECK_MESSAGE(highest < 2, "the ray starts too far from the surface: shadows detach");
 }
 
-TEST_CASE("a floor of a metre or a kilometre throws no shadow on itself, and lets none of its own light be "
-          "missed") {
+TEST_CASE(
+    "a floor of a metre or a kilometre casts no shadow on itself, and rays from it do not hit it again") {
     for (const float size : {1.0f, 30.0f, 1000.0f, 30000.0f}) {
         Random random(33);
         const vec3 up = normalize(vec3(0.3f, 1, -0.2f)), right = normalize(cross(up, vec3(0.1f, 0.2f, 1)));
@@ -151,7 +154,7 @@ TEST_CASE("a floor of a metre or a kilometre throws no shadow on itself, and let
     }
 }
 
-TEST_CASE("what lies behind the surface is hidden by it, however its normal is bent") {
+TEST_CASE("a surface hides what is behind it, whatever its shading normal") {
     const vec3 n = normalize(vec3(0.2f, 1, 0.1f)), bent = normalize(n + 0.8f * vec3(1, 0, 0));
     ObjModel file = empty_file();
     const vec3 u = normalize(cross(n, vec3(0, 0, 1))), v = cross(n, u);
@@ -168,7 +171,7 @@ TEST_CASE("what lies behind the surface is hidden by it, however its normal is b
     }
 }
 
-TEST_CASE("a model of a picometre or a petametre has normals, and is met where it is") {
+TEST_CASE("a model of a picometre or a petametre has normals and is hit where it is") {
     for (const float size : {1e-12f, 1e-6f, 1.0f, 1e9f, 1e15f}) {
         ObjModel file = icosphere(2);
         transform(file, size, size * vec3(0.3f, -0.2f, 0.5f));
@@ -182,13 +185,13 @@ TEST_CASE("a model of a picometre or a petametre has normals, and is met where i
             CHECK(length(hit->shading_normal) == approx(1));
             CHECK(length(hit->geometric_normal) == approx(1));
             CHECK_MESSAGE(dot(hit->shading_normal, normalize(vec3(2, 3, -4))) == approx(1, 0.01f),
-                          "smooth, and outward");
+                          "must be smooth and point outward");
             CHECK(length((hit->position - center) / size) == approx(1, 0.02f));
         }
     }
 }
 
-TEST_CASE("models that are far from the origin are told apart by double coordinates") {
+TEST_CASE("models far from the origin are distinguished by double-precision coordinates") {
     ObjModel near = icosphere(1), far = icosphere(1);
     near.origin = {500000, 120, 4649776};
     far.origin = {500010.25, 118.5, 4649770};
@@ -198,5 +201,6 @@ TEST_CASE("models that are far from the origin are told apart by double coordina
     CHECK(scene.mesh.origin == near.origin);
     const Aabb box = bounds(scene.mesh);
     CHECK(box.min == approx({-1, -2.5f, -7}, 0.2f));
-    CHECK_MESSAGE(box.max == approx({11.25f, 1, 1}, 0.2f), "the second one is moved by the difference");
+    CHECK_MESSAGE(box.max == approx({11.25f, 1, 1}, 0.2f),
+                  "the second model must be shifted by the difference of the origins");
 }

@@ -1,4 +1,4 @@
-// The framing of a model that nobody has seen before.
+// Facts about the automatic framing of an unknown model.
 #include "05_mesh_bvh/scene.h"
 #include "05_mesh_bvh/program/options.h"
 #include "common/cli/options.h"
@@ -26,7 +26,7 @@ struct Temporary {
 
 } // namespace
 
-TEST_CASE("the stage shows all of any model, in a picture of any shape") {
+TEST_CASE("the framing shows all of any model in a picture of any aspect ratio") {
     const Aabb boxes[] = {{{-1, -1, -1}, {1, 1, 1}},
                           {{3, 0, -7}, {4, 50, -6.5f}},
                           {{-100, 5, 0}, {300, 6, 2}},
@@ -46,7 +46,7 @@ TEST_CASE("the stage shows all of any model, in a picture of any shape") {
                                   i & 4 ? box.min.z : box.max.z};
                 const vec3 p = corner - camera.origin;
                 const float depth = dot(p, camera.forward);
-                REQUIRE_MESSAGE(depth > 0, "the corner is before the camera");
+                REQUIRE_MESSAGE(depth > 0, "the corner must be in front of the camera");
                 const float x = dot(p, camera.half_width) / dot(camera.half_width, camera.half_width) / depth;
                 const float y =
                     dot(p, camera.half_height) / dot(camera.half_height, camera.half_height) / depth;
@@ -54,9 +54,9 @@ TEST_CASE("the stage shows all of any model, in a picture of any shape") {
                 CHECK(std::abs(y) <= 1);
                 reach = std::max({reach, std::abs(x), std::abs(y)});
             }
-            if (box.min != box.max) CHECK_MESSAGE(reach > 0.2f, "and it is not lost in the distance");
+            if (box.min != box.max) CHECK_MESSAGE(reach > 0.2f, "the model must not be tiny in the distance");
             const float under = box.min.y - framing.floor.y, size = std::max(length(box.max - box.min), 1.0f);
-            CHECK_MESSAGE(under > 0, "a floor of the model's own lies above it");
+            CHECK_MESSAGE(under > 0, "a floor of the model itself must be above the added floor");
             CHECK(under < 1e-3f * size);
             CHECK(framing.key_light.y > box.max.y);
             CHECK(look_at.from.y > centroid(box).y);
@@ -66,7 +66,7 @@ TEST_CASE("the stage shows all of any model, in a picture of any shape") {
     }
 }
 
-TEST_CASE("a user's model stands on a floor under a lamp, or alone if it is to be bare") {
+TEST_CASE("a user's model is on a floor under a lamp unless --bare is given") {
     const Temporary file("v 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
     for (const bool bare : {false, true}) {
         Options options("05_mesh_bvh", "?", {});

@@ -1,5 +1,5 @@
-// What a mesh makes of a hit: weights of corners, normals, uv; its box; how a model gets its place. Meshes of
-// many triangles are in 05_mesh_bvh_mesh_in_scenes.cpp.
+// Facts about the hit of a mesh: vertex weights, normals, uv and bounds; and about the placement of a model.
+// Meshes of many triangles are in 05_mesh_bvh_mesh_in_scenes.cpp.
 #include "05_mesh_bvh/mesh.h"
 #include "common/math/random.h"
 #include "tests/check.h"
@@ -9,10 +9,10 @@ using namespace rt;
 
 namespace {
 
-const vec3 a = {1, -2, 3}, b = {3, 1, 4}, c = {-1, 2, 6}; // a skew triangle
+const vec3 a = {1, -2, 3}, b = {3, 1, 4}, c = {-1, 2, 6}; // a skewed triangle
 
-/// A mesh of few triangles, found here by Gauss's elimination: so these checks need no tree and nothing of
-/// triangle.h.
+/// A mesh of few triangles whose hits are found by solving a linear system, so that these checks need neither
+/// a tree nor triangle.h.
 struct Scene {
     Mesh mesh;
 };
@@ -38,7 +38,7 @@ std::optional<Hit> intersect(const Scene& scene, Ray ray) {
 
 } // namespace
 
-TEST_CASE("the box of a sphere and of a triangle touches it on all sides") {
+TEST_CASE("the bounding box of a sphere and of a triangle touches it on all sides") {
     const Aabb sphere = bounds(Sphere{{1, -2, 3}, 2, 0});
     CHECK(sphere.min == vec3(-1, -4, 1));
     CHECK(sphere.max == vec3(3, 0, 5));
@@ -46,14 +46,15 @@ TEST_CASE("the box of a sphere and of a triangle touches it on all sides") {
     add_triangle(file, a, b, c);
     add_triangle(file, c + 1.0f, a + 1.0f, b + 1.0f);
     const Scene scene = scene_of(file);
-    CHECK_MESSAGE(bounds(scene.mesh, 0).min == vec3(-1, -2, 3), "all three corners count");
+    CHECK_MESSAGE(bounds(scene.mesh, 0).min == vec3(-1, -2, 3), "all three vertices count");
     CHECK(bounds(scene.mesh, 0).max == vec3(3, 2, 6));
     CHECK(bounds(scene.mesh, 1).min == vec3(0, -1, 4));
     CHECK(bounds(scene.mesh).min == vec3(-1, -2, 3));
     CHECK(bounds(scene.mesh).max == vec3(4, 3, 7));
 }
 
-TEST_CASE("the true normal of a hit is unit, at right angles to the triangle and on the side of the ray") {
+TEST_CASE("the geometric normal of a hit has unit length and is perpendicular to the triangle on the side of "
+          "the ray") {
     ObjModel file = empty_file();
     add_triangle(file, a, b, c);
     file.normals = {vec3(1, -1, 3)};
@@ -64,15 +65,16 @@ TEST_CASE("the true normal of a hit is unit, at right angles to the triangle and
         const auto hit = intersect(scene, Ray{(a + b + c) / 3.0f + side * 3.0f * n, -side * 2.0f * n});
         REQUIRE(hit);
         CHECK_MESSAGE(hit->geometric_normal == approx(side * n),
-                      "the corners run counter-clockwise from outside");
-        CHECK_MESSAGE(hit->back_face == (side < 0), "inside: the ray comes from behind");
-        CHECK_MESSAGE(hit->shading_normal == approx(side * normalize(vec3(1, -1, 3))),
-                      "the given normal, made unit, turned to the side of the ray with the true one");
+                      "the vertices run counter-clockwise seen from outside");
+        CHECK_MESSAGE(hit->back_face == (side < 0), "the ray comes from behind, which is inside");
+        CHECK_MESSAGE(
+            hit->shading_normal == approx(side * normalize(vec3(1, -1, 3))),
+            "the given normal, normalised, flipped to the side of the ray together with the geometric one");
         CHECK(hit->position == approx((a + b + c) / 3.0f));
     }
 }
 
-TEST_CASE("normals and uv run over a triangle as the weights of its corners do") {
+TEST_CASE("normals and uv are interpolated over a triangle with the barycentric weights") {
     ObjModel file = empty_file();
     add_triangle(file, {0, 0, 0}, {2, 0, 0}, {0, 3, 0});
     file.normals = {{0, 0, 5}, {0.6f, 0, 0.8f}, {0, 2, 2}};
@@ -88,11 +90,11 @@ TEST_CASE("normals and uv run over a triangle as the weights of its corners do")
                   "(1 - u - v) A + u B + v C");
     const vec3 blend = 0.3f * vec3(0, 0, 1) + 0.2f * vec3(0.6f, 0, 0.8f) + 0.5f * normalize(vec3(0, 1, 1));
     CHECK_MESSAGE(hit->shading_normal == approx(normalize(blend)),
-                  "each made unit, then blended, then made unit again");
+                  "normalise each, then interpolate, then normalise again");
     CHECK(hit->geometric_normal == approx({0, 0, 1}));
 }
 
-TEST_CASE("a triangle without uv lies at uv 0") {
+TEST_CASE("a triangle without uv coordinates has uv 0") {
     ObjModel file = empty_file();
     add_triangle(file, a, b, c);
     const auto hit = intersect(scene_of(file), Ray{(a + b + c) / 3.0f + vec3(0, 0, 3), {0, 0, -1}});
@@ -113,9 +115,9 @@ TEST_CASE("a normal is bent no further than needed for a mirror to clear the sur
         const vec3 reflected = reflect(direction, cleared);
         if (!(length(cleared) == approx(1, 1e-4f) && dot(reflected, geometric) > 0))
             FAIL_CHECK("d ", direction, ", smooth ", smooth, ", true ", geometric, ": got ", cleared,
-                       ", which sends the light into the surface");
+                       ", which reflects light into the surface");
         if (dot(reflect(direction, smooth), geometric) > 0.02f) {
-            if (cleared != smooth) FAIL_CHECK("a normal that is fine stays as it is");
+            if (cleared != smooth) FAIL_CHECK("a valid normal must be returned unchanged");
         } else {
             ++bent;
         }
@@ -134,16 +136,16 @@ TEST_CASE("at a seam of the uv map each triangle keeps its own uv") {
     const Scene scene = scene_of(file);
     CHECK(intersect(scene, Ray{{1.5f, 0.5f, 2}, {0, 0, -1}})->uv == approx({0.1f, 0.2f}));
     CHECK_MESSAGE(intersect(scene, Ray{{0.5f, 1.5f, 2}, {0, 0, -1}})->uv == approx({0.9f, 0.3f}),
-                  "corners in one place are one vertex only if their uv is the same");
+                  "corners at one position are one vertex only if their uv are equal");
 }
 
-TEST_CASE("place scales a model, turns it from +z towards +x and then shifts it") {
+TEST_CASE("transform scales a model then rotates it from +z towards +x and then translates it") {
     ObjModel file = empty_file();
     add_triangle(file, {0, 0, 1}, {1, 0, 0}, {0, 3, 0});
     file.normals = {{0, 0, 1}};
     transform(file, 2, 90, {10, 20, 30});
-    CHECK_MESSAGE(file.positions[0] == approx({12, 20, 30}), "+z is +x after a quarter turn");
+    CHECK_MESSAGE(file.positions[0] == approx({12, 20, 30}), "after a quarter turn, +z becomes +x");
     CHECK(file.positions[1] == approx({10, 20, 28}));
     CHECK(file.positions[2] == approx({10, 26, 30}));
-    CHECK_MESSAGE(file.normals[0] == approx({1, 0, 0}), "normals turn, and do not shift");
+    CHECK_MESSAGE(file.normals[0] == approx({1, 0, 0}), "normals are rotated and not translated");
 }

@@ -1,4 +1,4 @@
-// Closed meshes, through which no ray slips, and the normals that make them look smooth.
+// Facts about closed meshes, through which no ray slips, and about the normals that make them look smooth.
 #include "05_mesh_bvh/scene.h"
 #include "common/math/random.h"
 #include "tests/05_mesh_bvh/step.h"
@@ -9,7 +9,7 @@ using namespace rt;
 
 // ------------------------------------------------------------------------------------------- closed meshes
 
-TEST_CASE("no ray that is aimed at a corner or an edge of a closed mesh from inside gets out") {
+TEST_CASE("no ray aimed at a vertex or an edge of a closed mesh from inside gets out") {
     for (const float scale : {1.0f, 1e-3f, 1e4f}) {
         ObjModel file = icosphere(3);
         transform(file, scale, scale * vec3(0.3f, -0.2f, 0.1f));
@@ -40,12 +40,12 @@ TEST_CASE("an icosphere of level 4 has nearly the area and the volume of the bal
         if (!(dot(area_normal(corner), dvec3(corner[0])) > 0)) FAIL_CHECK("triangle ", i, " faces inward");
     }
     CHECK(scene.mesh.triangles.size() == 5120);
-    CHECK_MESSAGE(scene.mesh.positions.size() == 2562, "corners are shared: V - E + F = 2");
+    CHECK_MESSAGE(scene.mesh.positions.size() == 2562, "vertices are shared: V - E + F = 2");
     CHECK(std::abs(area / (4 * double(pi)) - 1) < 0.004);
     CHECK(std::abs(volume / (4 * double(pi) / 3) - 1) < 0.004);
 }
 
-TEST_CASE("a line crosses a closed mesh an even number of times, by turns inward and outward") {
+TEST_CASE("a line crosses a closed mesh an even number of times alternately inward and outward") {
     const Scene scene = scene_of(icosphere(3));
     Random random(61);
     int odd = 0, wrong_side = 0, missed = 0;
@@ -74,7 +74,7 @@ TEST_CASE("a line crosses a closed mesh an even number of times, by turns inward
 
 // ------------------------------------------------------------------------------------------------- normals
 
-TEST_CASE("a ball without normals gets round, a cube without normals keeps its edges") {
+TEST_CASE("a ball without normals becomes smooth and a cube without normals keeps its edges") {
     const Scene ball = scene_of(icosphere(3)), box = scene_of(cube());
     Random random(62);
     for (int i = 0; i < 500; ++i) {
@@ -90,8 +90,8 @@ TEST_CASE("a ball without normals gets round, a cube without normals keeps its e
     }
 }
 
-TEST_CASE("an edge is smoothed if it is blunter than the crease angle") {
-    // Two squares that meet in the y axis, one bent down by 30 degrees.
+TEST_CASE("an edge is smoothed if its angle is below the crease angle") {
+    // Two squares that share an edge on the y axis, one bent down by 30 degrees.
     ObjModel file = empty_file();
     const vec3 down{std::cos(glm::radians(30.0f)), 0, -std::sin(glm::radians(30.0f))};
     add_triangle(file, {-1, 0, 0}, {0, 0, 0}, {0, 1, 0});
@@ -101,14 +101,14 @@ TEST_CASE("an edge is smoothed if it is blunter than the crease angle") {
         REQUIRE(hit);
         return glm::degrees(std::asin(hit->shading_normal.x));
     };
-    CHECK_MESSAGE(normal_at_edge(40) == approx(15, 1e-2f), "half way between the two; 0: not smoothed");
+    CHECK_MESSAGE(normal_at_edge(40) == approx(15, 1e-2f), "halfway between the two; 0: not smoothed");
     CHECK_MESSAGE(normal_at_edge(31) == approx(15, 1e-2f),
-                  "degrees, the angle between the two faces' normals");
+                  "the crease angle is in degrees, between the two faces' normals");
     CHECK_MESSAGE(normal_at_edge(29) == approx(0, 1e-4f), "30 degrees is sharper than 29");
     CHECK_MESSAGE(normal_at_edge(0) == approx(0, 1e-4f), "0: no smoothing at all");
 }
 
-TEST_CASE("normals that the file gives are kept, those that it does not are made") {
+TEST_CASE("normals in the file are kept and missing ones are computed") {
     ObjModel file = empty_file();
     add_triangle(file, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
     file.normals = {vec3(3, 0, 4)};
@@ -116,12 +116,13 @@ TEST_CASE("normals that the file gives are kept, those that it does not are made
     const Scene scene = scene_of(file);
     const auto& corner = scene.mesh.triangles[0];
     CHECK(scene.mesh.normals[corner[0]] == approx({0, 0, 1}));
-    CHECK_MESSAGE(scene.mesh.normals[corner[1]] == approx({0.6f, 0, 0.8f}), "made unit");
+    CHECK_MESSAGE(scene.mesh.normals[corner[1]] == approx({0.6f, 0, 0.8f}), "must be normalised");
     CHECK(scene.mesh.normals[corner[2]] == approx({0, 0, 1}));
 }
 
 TEST_CASE("a mirror on a smoothed mesh never sends a ray into the mesh") {
-    const Scene scene = scene_of(icosphere(1), 180); // coarse, so that the two normals differ much
+    const Scene scene =
+        scene_of(icosphere(1), 180); // coarse, so that shading and geometric normals differ greatly
     Random random(64);
     int into = 0;
     for (int i = 0; i < 5000; ++i) {

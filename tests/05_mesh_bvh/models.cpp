@@ -1,4 +1,4 @@
-// Light in and on whole models: a lens of triangles, and the bunny.
+// Facts about light on whole models: a glass mesh, and the Stanford bunny.
 #include "04_refraction/radiance.h"
 #include "05_mesh_bvh/scene.h"
 #include "05_mesh_bvh/program/framing.h"
@@ -11,7 +11,7 @@
 
 using namespace rt;
 
-TEST_CASE("a glass mesh is a lens: from inside a ball of triangles light comes out again") {
+TEST_CASE("a glass mesh is a lens: from inside a ball of triangles light gets out again") {
     ObjModel file = icosphere(4);
     file.materials = {{.ior = 1.5f, .glass = true}};
     Scene scene = scene_of(file);
@@ -25,7 +25,7 @@ TEST_CASE("a glass mesh is a lens: from inside a ball of triangles light comes o
 }
 
 TEST_CASE(
-    "the bunny of Debian's glmark2-data is loaded and shown within seconds, and the tree changes nothing") {
+    "the bunny of Debian's glmark2-data loads and renders within seconds, and the tree changes nothing") {
     const std::string path = "/usr/share/glmark2/models/bunny.obj";
     if (!std::filesystem::exists(path)) {
         SKIP_CHECK(path + " is not there: apt-get install glmark2-data");

@@ -1,4 +1,4 @@
-// Points and directions at random, and when a ray enters a box: what the quickest checks of step 05 need.
+// Random points and directions, and the box test: what the fastest checks of step 05 need.
 #pragma once
 
 #include "05_mesh_bvh/aabb.h"

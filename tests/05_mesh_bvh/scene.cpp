@@ -1,4 +1,4 @@
-// What a scene keeps of the models that are put into it: their triangles and their materials.
+// Facts about the models in a scene: they keep their triangles and their materials.
 #include "05_mesh_bvh/scene.h"
 #include "tests/check.h"
 #include "tests/meshes.h"
@@ -30,7 +30,7 @@ TEST_CASE("two models in one scene keep their own triangles and materials") {
     CHECK(diffuse(hit_from({0, 0, -1}, 1)).albedo == vec3(0.8f, 0.1f, 0.1f));
 }
 
-TEST_CASE("a model's material is matte, under a mirror if it reflects, or glass") {
+TEST_CASE("a model's material becomes matte, coated or glass") {
     Scene scene;
     const auto added = [&](const ObjMaterial& material) {
         return scene.materials[std::size_t(add_material(scene, material))];

@@ -1,11 +1,11 @@
-// Of spheres, planes, quads and triangles the nearest is met, however a ray looks for it.
+// Facts about mixed shapes: a ray hits the closest of spheres, planes, quads and triangles.
 #include "05_mesh_bvh/scene.h"
 #include "tests/check.h"
 #include "tests/meshes.h"
 
 using namespace rt;
 
-TEST_CASE("the nearest of several things is met, whichever kind it is") {
+TEST_CASE("a ray hits the closest of several shapes, whatever its type") {
     for (int nearest = 0; nearest < 4; ++nearest) {
         const auto depth = [&](int kind) { return -2.0f - float((kind - nearest + 4) % 4); };
         for (const Accel accel : {Accel::brute, Accel::bvh, Accel::wide}) {
@@ -21,8 +21,8 @@ TEST_CASE("the nearest of several things is met, whichever kind it is") {
             build_bvhs(scene);
             const auto hit = intersect(scene, Ray{{0.01f, 0.02f, 0}, {0, 0, -2}});
             REQUIRE(hit);
-            INFO("sphere, plane, quad, triangle: number ", nearest);
-            CHECK_MESSAGE(hit->material == nearest, "each hit shortens the ray for all that is asked later");
+            INFO("closest of sphere, plane, quad, triangle: number ", nearest);
+            CHECK_MESSAGE(hit->material == nearest, "each hit must shorten the ray for all later tests");
             CHECK(hit->t == approx(1, 1e-2f));
             CHECK(occluded(scene, Ray{{0.01f, 0.02f, 0}, {0, 0, -2}}));
             CHECK(!occluded(scene, Ray{{0.01f, 0.02f, 0}, {0, 0, -2}, 0, 0.98f}));

@@ -1,4 +1,4 @@
-// Shapes of all kinds in wide trees are found as by testing every shape; and the tests are counted if asked for.
+// Facts about wide trees: they find the same hits as testing every shape, and count tests only on request.
 #include "05_mesh_bvh/scene.h"
 #include "common/math/random.h"
 #include "tests/check.h"
@@ -8,8 +8,9 @@ using namespace rt;
 
 namespace {
 
-/// How far the point at t lies off the surface of the true hit. A ray that grazes a splinter may be off along
-/// the surface, which nobody sees; off the surface it must keep to the error that hit.h promises.
+/// Returns whether the point at t is within the error bound of the correct surface. A ray that
+/// grazes a thin triangle may deviate along the surface, which is invisible, but perpendicular to it
+/// the bound of hit.h must hold.
 bool on_the_surface(const Hit& right, const Ray& ray, float t) {
     return std::abs((t - right.t) * dot(ray.direction, right.geometric_normal)) <= right.position_error;
 }
@@ -19,7 +20,7 @@ struct Comparison {
     std::string first;
 };
 
-/// Rays at the box, from without and from within, by the wide tree and by asking every shape.
+/// Compares rays aimed at the box, from outside and from inside: by the wide tree and by testing every shape.
 Comparison compare_with_brute(const Scene& scene, const Aabb& box, int count, std::uint64_t seed = 7) {
     Scene brute = scene, wide = scene;
     brute.accel = Accel::brute;
@@ -52,7 +53,7 @@ void check_wide_changes_nothing(const Scene& scene, const Aabb& box, int count) 
     const Comparison result = compare_with_brute(scene, box, count);
     INFO(result.hits, " of ", result.rays, " rays hit");
     CHECK_MESSAGE(result.different == 0, result.first,
-                  " (none: a box is too small, or NaN rejects it; too far: the search ended too soon)");
+                  " (none: a box is too small, or NaN rejects it; too far: the search ended too early)");
     CHECK_MESSAGE(result.shadows == 0, "occluded() must agree with intersect()");
 }
 
@@ -73,7 +74,7 @@ TEST_CASE("the wide tree finds spheres, quads and planes among triangles") {
     check_wide_changes_nothing(scene, {vec3(0), vec3(1)}, 2000);
 }
 
-TEST_CASE("a quad in the wide tree has the hit of a quad, in both of its halves") {
+TEST_CASE("a quad in the wide tree has the same hit as a quad in both of its halves") {
     Scene scene;
     add(scene.materials, Diffuse{vec3(0.5f)});
     const int second = add(scene.materials, Diffuse{vec3(0.7f)});
@@ -93,7 +94,7 @@ TEST_CASE("a quad in the wide tree has the hit of a quad, in both of its halves"
     }
 }
 
-TEST_CASE("the tests of the wide trees are counted for --view work alone") {
+TEST_CASE("the wide trees count their tests only for --view work") {
     Scene scene;
     add_model(scene, random_triangles(500, 0.2f), 40);
     scene.spheres = {{vec3(0.5f), 0.2f, 0}};

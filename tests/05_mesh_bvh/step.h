@@ -24,8 +24,8 @@ inline Scene with(Scene scene, Accel accel) {
     return scene;
 }
 
-/// Shoots `count` rays at the box around the scene and compares the tree with asking every shape.
-/// Of two shapes at the same t either may be met first, so only t is compared.
+/// Shoots `count` rays at the box around the scene and compares the tree with testing every shape. If two
+/// shapes have the same t, either may be hit, so only t is compared.
 inline void check_tree_changes_nothing(const Scene& any, const Aabb& box, int count, std::uint64_t seed = 7) {
     Scene scene = with(any, Accel::bvh);
     Random random(seed);
@@ -35,7 +35,7 @@ inline void check_tree_changes_nothing(const Scene& any, const Aabb& box, int co
     for (int i = 0; i < count; ++i) {
         const vec3 target = mix(box.min, box.max, random_point(random));
         vec3 origin = centroid(box) + size * random_direction(random);
-        if (i % 4 == 0) origin = mix(box.min, box.max, random_point(random)); // from within
+        if (i % 4 == 0) origin = mix(box.min, box.max, random_point(random)); // from inside
         Ray ray{origin, target - origin};
         if (i % 3 == 0) ray.t_max = 1.2f; // a segment
         scene.accel = Accel::brute;
@@ -49,15 +49,14 @@ inline void check_tree_changes_nothing(const Scene& any, const Aabb& box, int co
             brute.has_value() == tree.has_value() && (!brute || tree->t == approx(brute->t, 1e-6f));
         if (!same && wrong++ == 0)
             first = "ray " + std::to_string(i) + " from " + to_text(ray.origin) + " along " +
-                    to_text(ray.direction) + ": every shape asked gives " +
+                    to_text(ray.direction) + ": testing every shape gives " +
                     (brute ? "t = " + to_text(brute->t) : "no hit") + ", the tree gives " +
                     (tree ? "t = " + to_text(tree->t) : "no hit");
     }
     INFO(hits, " of ", count, " rays hit");
-    CHECK_MESSAGE(
-        wrong == 0, first,
-        " (no hit: a box is too small, or a NaN rejects it; too far: stopped at the first leaf, or the "
-        "search went on with an old t_max)");
+    CHECK_MESSAGE(wrong == 0, first,
+                  " (no hit: a box is too small, or NaN rejects it; too far: the search stopped at the first "
+                  "leaf, or continued with an old t_max)");
     CHECK_MESSAGE(wrong_shadows == 0, "occluded() must agree with intersect()");
 }
 

@@ -1,4 +1,4 @@
-// Where a ray meets a triangle, and where it does not: on both sides, at any size, at the edges.
+// Facts about ray-triangle intersection: on both sides, at any size, at the edges.
 #include "05_mesh_bvh/triangle.h"
 #include "tests/05_mesh_bvh/rays.h"
 #include "tests/check.h"
@@ -7,11 +7,11 @@ using namespace rt;
 
 namespace {
 
-const vec3 a = {1, -2, 3}, b = {3, 1, 4}, c = {-1, 2, 6}; // a skew triangle
+const vec3 a = {1, -2, 3}, b = {3, 1, 4}, c = {-1, 2, 6}; // a skewed triangle
 
 } // namespace
 
-TEST_CASE("where a ray meets a triangle, its point is the weighted mean of the corners") {
+TEST_CASE("the point where a ray hits a triangle is the weighted mean of the vertices") {
     Random random(3);
     for (int i = 0; i < 1000; ++i) {
         vec2 uv = random.uniform2();
@@ -20,16 +20,17 @@ TEST_CASE("where a ray meets a triangle, its point is the weighted mean of the c
         const Ray ray{target + 4.0f * random_direction(random), {}, 0, infinity};
         const Ray aimed{ray.origin, (target - ray.origin) / 2.5f};
         const auto hit = intersect(a, b, c, aimed);
-        if (std::min({uv.x, uv.y, 1 - uv.x - uv.y}) < 1e-3f) continue; // too near an edge to insist
+        if (std::min({uv.x, uv.y, 1 - uv.x - uv.y}) < 1e-3f) continue; // too close to an edge to decide
         if (std::abs(dot(normalize(aimed.direction), normalize(cross(b - a, c - a)))) < 0.05f) continue;
         INFO("u, v = ", uv);
         REQUIRE_MESSAGE(hit, "the ray points into the triangle: s = O - A, and both sides count");
-        CHECK_MESSAGE(hit->t == approx(2.5f, 1e-4f), "1/det missing, or t of a unit direction");
-        CHECK_MESSAGE(vec2(hit->u, hit->v) == approx(uv, 1e-4f), "(v, u): the weights are exchanged");
+        CHECK_MESSAGE(hit->t == approx(2.5f, 1e-4f),
+                      "1/det is missing, or t belongs to a normalised direction");
+        CHECK_MESSAGE(vec2(hit->u, hit->v) == approx(uv, 1e-4f), "(v, u): the weights are swapped");
     }
 }
 
-TEST_CASE("a ray beside a triangle misses it, in the other half of its parallelogram too") {
+TEST_CASE("a ray beside a triangle misses it even in the other half of its parallelogram") {
     const vec3 from{4, -3, 9};
     for (const vec2 uv : {vec2(0.7f, 0.7f), vec2(1.01f, 0), vec2(-0.01f, 0.5f), vec2(0.5f, -0.01f),
                           vec2(0.505f, 0.505f), vec2(-0.2f, 1.1f), vec2(1.3f, -0.2f), vec2(2, 2)}) {
@@ -40,35 +41,35 @@ TEST_CASE("a ray beside a triangle misses it, in the other half of its parallelo
     }
 }
 
-TEST_CASE("a triangle is met from both sides") {
+TEST_CASE("a triangle is hit from both sides") {
     const vec3 target = (a + b + c) / 3.0f, n = normalize(cross(b - a, c - a));
     for (const float side : {1.0f, -1.0f}) {
         const auto hit = intersect(a, b, c, Ray{target + side * 3.0f * n, -side * 2.0f * n});
-        REQUIRE_MESSAGE(hit, "back faces are there too: glass needs them");
+        REQUIRE_MESSAGE(hit, "back faces must be hit too: glass needs them");
         CHECK(hit->t == approx(1.5f));
     }
 }
 
-TEST_CASE("a triangle behind the ray, or beyond its interval, is not met") {
+TEST_CASE("a triangle behind the ray or outside its interval is not hit") {
     const vec3 target = (a + b + c) / 3.0f, away{0.3f, -0.5f, 0.4f};
-    CHECK_MESSAGE(!intersect(a, b, c, Ray{target + away, away}), "t = -1: it lies behind");
+    CHECK_MESSAGE(!intersect(a, b, c, Ray{target + away, away}), "t = -1: the triangle is behind the ray");
     CHECK(intersect(a, b, c, Ray{target + away, -away}).has_value());
     CHECK_MESSAGE(!intersect(a, b, c, Ray{target + away, -away, 0, 0.99f}), "t = 1 is beyond t_max = .99");
     CHECK_MESSAGE(!intersect(a, b, c, Ray{target + away, -away, 1.01f, 5}), "t = 1 is before t_min = 1.01");
 }
 
-TEST_CASE("a triangle is met at any size") {
+TEST_CASE("a triangle is hit at any size") {
     for (const float size : {1e-8f, 1e-3f, 1.0f, 1e4f, 1e8f}) {
         INFO("size ", size);
         const vec3 target = (0.2f * a + 0.3f * b + 0.5f * c) * size, from = vec3(4, -3, 9) * size;
         const auto hit = intersect(size * a, size * b, size * c, Ray{from, target - from});
-        REQUIRE_MESSAGE(hit, "a determinant that is small only means a triangle that is small");
+        REQUIRE_MESSAGE(hit, "a small determinant only means a small triangle");
         CHECK(hit->t == approx(1, 1e-4f));
         CHECK(vec2(hit->u, hit->v) == approx({0.3f, 0.5f}, 1e-4f));
     }
 }
 
-TEST_CASE("a ray along the plane of a triangle misses it, and so does every ray a triangle without area") {
+TEST_CASE("a ray in the plane of a triangle misses it and so does every ray a triangle without area") {
     CHECK(!intersect({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, Ray{{-1, 0.2f, 0}, {1, 0, 0}}));
     CHECK(!intersect({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, Ray{{-1, 0.2f, 0.1f}, {1, 0, 0}}));
     CHECK(!intersect(a, a, a, Ray{{4, -3, 9}, a - vec3(4, -3, 9)}));
@@ -89,7 +90,7 @@ TEST_CASE("no ray slips through the edge that two triangles share") {
         const vec3 n1 = normalize(cross(q - p, r - p)), n2 = normalize(cross(p - q, far - q));
         const vec3 d = normalize(target - from);
         if (dot(n1, d) * dot(n2, d) < 0 || std::min(std::abs(dot(n1, d)), std::abs(dot(n2, d))) < 0.05f)
-            continue; // seen from here, both lie on the same side of the edge
+            continue; // seen from here, both are on the same side of the edge
         const Ray ray{from, target - from};
         if (intersect(p, q, r, ray) || intersect(q, p, far, ray)) continue;
         if (slipped++ == 0)

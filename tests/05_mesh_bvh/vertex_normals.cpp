@@ -1,4 +1,4 @@
-// The normals that are made where a file gives none, beside their definition, and that they are made in time.
+// Facts about computed vertex normals: they match their definition, and are computed in time.
 #include "05_mesh_bvh/mesh.h"
 #include "common/math/random.h"
 #include "tests/check.h"
@@ -18,7 +18,7 @@ dvec3 area_of(const ObjModel& file, const std::array<ObjIndex, 3>& t) {
     return area_normal({position_of(file, t[0]), position_of(file, t[1]), position_of(file, t[2])});
 }
 
-/// The definition of smooth_normals(), word by word.
+/// Computes the definition of smooth_normals() directly.
 vec3 asked_normal(const ObjModel& file, std::size_t triangle, std::size_t corner, float crease) {
     const vec3 here = position_of(file, file.triangles[triangle][corner]);
     const dvec3 own = area_of(file, file.triangles[triangle]);
@@ -35,27 +35,27 @@ vec3 asked_normal(const ObjModel& file, std::size_t triangle, std::size_t corner
 
 } // namespace
 
-TEST_CASE("large faces pull a smoothed normal more than small ones") {
+TEST_CASE("large faces affect a smoothed normal more than small ones") {
     ObjModel file = empty_file();
     add_triangle(file, {0, 0, 0}, {0, -1, 0}, {3, 0, 0});       // area 1.5, faces up
-    add_triangle(file, {0, 0, 0}, {0, 0.5f, 0.5f}, {-1, 0, 0}); // area .3536, leans
+    add_triangle(file, {0, 0, 0}, {0, 0.5f, 0.5f}, {-1, 0, 0}); // area .3536, oblique
     const auto normals = smooth_normals(file, 180);
     const vec3 sum = cross(vec3(0, -1, 0), vec3(3, 0, 0)) + cross(vec3(0, 0.5f, 0.5f), vec3(-1, 0, 0));
     CHECK_MESSAGE(normals[0][0] == approx(normalize(sum)), "points with equal coordinates are one point");
     CHECK(normals[1][0] == approx(normalize(sum)));
-    CHECK_MESSAGE(normals[0][1] == approx({0, 0, 1}), "this corner belongs to one face alone");
+    CHECK_MESSAGE(normals[0][1] == approx({0, 0, 1}), "this vertex belongs to only one face");
 }
 
-TEST_CASE("a smoothed normal is what asking every face gives, to the last bit") {
+TEST_CASE("a smoothed normal equals its definition to the last bit") {
     Random random(63);
     for (int round = 0; round < 300; ++round) {
-        // Points of a small grid, so that many fall together, lie in one plane or fold back on themselves;
-        // zeros of both signs, and some moved.
+        // Points of a small grid, so that many coincide, are coplanar or fold back on themselves; zeros of
+        // both signs; some points are displaced.
         ObjModel file = empty_file();
         const float moved = round % 2 == 0 ? 0 : 0.3f;
         const auto point = [&] {
             const vec3 p = glm::floor(3.0f * random_point(random)) - 1.0f;
-            if (random.uniform() < 0.5f) return -p; // -0 too, which equals 0
+            if (random.uniform() < 0.5f) return -p; // including -0, which equals 0
             return p + moved * random_point(random);
         };
         for (int i = 0; i < 60; ++i) {
@@ -69,13 +69,13 @@ TEST_CASE("a smoothed normal is what asking every face gives, to the last bit") 
         for (std::size_t i = 0; i < normals.size(); ++i)
             for (std::size_t k = 0; k < 3; ++k)
                 if (!(normals[i][k] == asked_normal(file, i, k, crease)))
-                    FAIL_CHECK("crease ", crease, ": ", normals[i][k], ", by asking ",
+                    FAIL_CHECK("crease ", crease, ": ", normals[i][k], ", by definition ",
                                asked_normal(file, i, k, crease));
     }
 }
 
-TEST_CASE("a hundred thousand faces may meet in one point") {
-    // A flat cone once without normals and once with a normal for each face at its tip.
+TEST_CASE("a hundred thousand faces may share one vertex") {
+    // A flat cone, once without normals and once with one normal per face at its tip.
     ObjModel file = empty_file();
     const int count = 100000;
     file.positions = {{0, 0.2f, 0}};
@@ -93,7 +93,7 @@ TEST_CASE("a hundred thousand faces may meet in one point") {
         CHECK(mesh.triangles.size() == std::size_t(count));
         return double(std::clock() - start) / CLOCKS_PER_SEC;
     };
-    const char* const usual = " s; hundredths are usual; many: each face asks each other one";
+    const char* const usual = " s; hundredths are usual; many seconds: each face visits every other one";
     const double made = seconds();
     CHECK_MESSAGE(made < 4, made, usual);
     for (std::size_t i = 0; i < file.triangles.size(); ++i)
@@ -102,10 +102,10 @@ TEST_CASE("a hundred thousand faces may meet in one point") {
     CHECK_MESSAGE(given < 4, given, usual);
 }
 
-TEST_CASE("faces of different smoothing groups share no normals, and faces of group 0 are flat") {
+TEST_CASE("faces of different smoothing groups share no normals and faces of group 0 are flat") {
     ObjModel file = empty_file();
     add_triangle(file, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});     // in the plane z = 0
-    add_triangle(file, {0, 0, 0}, {0, 1, 0}, {-1, 0, 0.2f}); // and three that lean a little
+    add_triangle(file, {0, 0, 0}, {0, 1, 0}, {-1, 0, 0.2f}); // and three that are slightly oblique
     add_triangle(file, {0, 0, 0}, {-1, 0, 0.2f}, {0, -1, 0.1f});
     add_triangle(file, {0, 0, 0}, {0, -1, 0.1f}, {1, 0, 0});
     const auto face = [&](std::size_t t) { return vec3(area_of(file, file.triangles[t])); };
@@ -117,7 +117,7 @@ TEST_CASE("faces of different smoothing groups share no normals, and faces of gr
     CHECK(apart[0][0] == approx(normalize(face(0) + face(1))));
     CHECK(apart[1][0] == apart[0][0]);
     CHECK(apart[3][0] == approx(normalize(face(2) + face(3))));
-    CHECK_MESSAGE(apart[3][2] == approx(normalize(face(3))), "a corner that group 1 has too");
+    CHECK_MESSAGE(apart[3][2] == approx(normalize(face(3))), "a vertex that group 1 has too");
     const auto flat = groups({0, 0, -1, -1});
     CHECK(flat[0][0] == approx(normalize(face(0))));
     CHECK(flat[1][0] == approx(normalize(face(1))));
@@ -130,7 +130,7 @@ TEST_CASE("faces of different smoothing groups share no normals, and faces of gr
         for (std::size_t k = 0; k < 3; ++k) CHECK(together[t][k] == unstated[t][k]);
 }
 
-TEST_CASE("a model that is placed anew is where it is placed, wherever its file had it") {
+TEST_CASE("transform replaces the origin that a model has from its file") {
     ObjModel file = empty_file();
     add_triangle(file, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
     file.origin = dvec3(5e5, 0, 5e6);

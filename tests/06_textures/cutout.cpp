@@ -1,4 +1,4 @@
-// Facts about cut-outs and colors of vertices: what is a hole is not there, for eyes, shadows and lamps alike.
+// Facts about cut-outs and vertex colours: a hole does not exist for camera rays, shadow rays and lamps.
 #include "06_textures/cutout.h"
 #include "04_refraction/radiance.h"
 #include "06_textures/scene.h"
@@ -10,7 +10,7 @@ using namespace rt;
 
 namespace {
 
-/// A triangle of twice the unit square in the plane y = height, with uv (x, -z), its mask on the material.
+/// Adds half of a 2 x 2 square in the plane y = height, with uv = (x, -z), and the mask of its material.
 void add_leaf(ObjModel& file, float height, int material) {
     const int p = int(file.positions.size());
     file.positions.insert(file.positions.end(), {{0, height, 0}, {2, height, 0}, {0, height, -2}});
@@ -19,7 +19,7 @@ void add_leaf(ObjModel& file, float height, int material) {
     file.triangle_materials.push_back(material);
 }
 
-/// A floor without holes, two leaves above it. The mask is opaque on its left half (u below 1/2).
+/// Builds a floor without holes and two leaves above it. The mask is opaque in its left half (u < 1/2).
 Scene leaves(Accel accel) {
     ObjModel file;
     file.materials = {{.name = "floor", .diffuse = vec3(0.5f)},
@@ -39,7 +39,7 @@ Scene leaves(Accel accel) {
 
 } // namespace
 
-TEST_CASE("a ray goes through the holes of a surface and stops where it is opaque") {
+TEST_CASE("a ray passes through the holes of a surface and stops where the surface is opaque") {
     for (const Accel accel : {Accel::brute, Accel::bvh, Accel::wide}) {
         const Scene scene = leaves(accel);
         const auto opaque = intersect(scene, Ray{{0.25f, 5, -0.3f}, {0, -2, 0}});
@@ -48,14 +48,14 @@ TEST_CASE("a ray goes through the holes of a surface and stops where it is opaqu
         REQUIRE(hole);
         CHECK(opaque->t == approx(1.5f));
         CHECK_MESSAGE(hole->t == approx(2.5f),
-                      "through both leaves, down to the floor; t counts from the ray's origin");
+                      "through both leaves to the floor; t is measured from the ray's origin");
         CHECK(hole->material == 0);
         CHECK_FALSE(intersect(scene, Ray{{0.75f, 5, -0.3f}, {0, -2, 0}, 0, 2.4f}));
-        CHECK_FALSE_MESSAGE(intersect(scene, Ray{{0.75f, 0.5f, -0.3f}, {0, 2, 0}}), "from below too");
+        CHECK_FALSE_MESSAGE(intersect(scene, Ray{{0.75f, 0.5f, -0.3f}, {0, 2, 0}}), "from below, too");
     }
 }
 
-TEST_CASE("light falls through the holes of a surface") {
+TEST_CASE("light passes through the holes of a surface") {
     for (const Accel accel : {Accel::brute, Accel::bvh, Accel::wide}) {
         const Scene scene = leaves(accel);
         CHECK(occluded(scene, Ray{{0.25f, 0.1f, -0.3f}, {0, 5, 0}, 0, 1}));
@@ -64,7 +64,7 @@ TEST_CASE("light falls through the holes of a surface") {
     }
 }
 
-TEST_CASE("half as much of a striped mask is there as of a full one") {
+TEST_CASE("a mask with stripes of equal width is opaque in half of its area") {
     const Scene scene = leaves(Accel::wide);
     Random random(61);
     int there = 0;
@@ -74,17 +74,17 @@ TEST_CASE("half as much of a striped mask is there as of a full one") {
         const auto hit = intersect(scene, Ray{{p.x, 5, -p.y * (1 - 1e-3f)}, {0, -1, 0}});
         there += hit && hit->material == 1;
     }
-    // The blend of texels puts the outline half-way between an opaque one and a hole.
+    // Interpolation puts the outline halfway between an opaque texel and a hole.
     CHECK(float(there) / float(count) == approx(0.5f, 0.02f));
 }
 
-TEST_CASE("a mask is a share and no colour") {
+TEST_CASE("a mask is an opacity and not a colour") {
     const Texture texture = make_mask({2, 1, {32768, 65535}});
-    CHECK_MESSAGE(texture.texels[0].x == approx(0.5f, 1e-4f), "0.216: the sRGB curve was undone");
+    CHECK_MESSAGE(texture.texels[0].x == approx(0.5f, 1e-4f), "0.216: the mask was decoded as sRGB");
     CHECK(texture.texels[1].x == 1);
 }
 
-TEST_CASE("what glows has no holes") {
+TEST_CASE("an emissive surface has no holes") {
     ObjModel file;
     file.materials = {{.name = "lamp", .diffuse = vec3(0), .emission = vec3(2), .mask = 0}};
     file.masks = {{1, 1, {0}}};
@@ -95,13 +95,13 @@ TEST_CASE("what glows has no holes") {
     CHECK(intersect(scene, Ray{{0.5f, 5, -0.5f}, {0, -1, 0}}));
 }
 
-TEST_CASE("colors of vertices are blended over a triangle and multiply its albedo") {
+TEST_CASE("vertex colours are interpolated over a triangle and multiply its albedo") {
     ObjModel file = empty_file();
     file.materials[0].diffuse = vec3(0.5f);
     add_triangle(file, {0, 0, 0}, {0, 0, 3}, {3, 0, 0});
     file.colors = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     Scene scene;
-    add_model(scene, icosphere(0), 40); // without colors, and so white
+    add_model(scene, icosphere(0), 40); // without colours, and therefore white
     for (vec3& position : scene.mesh.positions) position.y -= 10;
     add_model(scene, file, 40);
     scene.sky = {.nadir = vec3(1), .zenith = vec3(1)};

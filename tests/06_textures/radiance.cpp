@@ -1,16 +1,16 @@
-// Facts about light on pictures: where on a surface each point of one comes to lie, and what is seen of it.
+// Facts about textured surfaces: where each point of the texture appears, and how it is lit.
 #include "common/math/random.h"
 #include "tests/06_textures/scenes.h"
 #include "tests/check.h"
 
 using namespace rt;
 
-TEST_CASE("a picture on a sphere is upright and not mirrored") {
+TEST_CASE("a texture on a sphere is upright and not mirrored") {
     Scene scene = evenly_lit();
     const int picture = add(scene.textures, card());
     scene.spheres = {{{3, -1, 2}, 1.5f, add(scene.materials, ImageTexture{picture})}};
     build_bvhs(scene);
-    // From far out above the middle of each texel, whose longitude and latitude are known.
+    // From far above the centre of each texel, whose longitude and latitude are known.
     for (int y = 0; y < 2; ++y) {
         for (int x = 0; x < 3; ++x) {
             const float longitude = ((float(x) + 0.5f) / 3 - 0.5f) * 2 * pi,
@@ -24,10 +24,10 @@ TEST_CASE("a picture on a sphere is upright and not mirrored") {
     }
 }
 
-TEST_CASE("a picture on a quad has its lower left corner at the quad's corner") {
+TEST_CASE("a texture on a quad has its lower left corner at the quad's corner") {
     Scene scene = evenly_lit();
     const int picture = add(scene.textures, card());
-    // Oblique, and turned in its plane.
+    // Oblique, and rotated in its plane.
     const vec3 corner{-2, 1, -4}, u{3, 0.5f, 1}, v{-0.7f, 2, 0.4f};
     scene.quads = {{corner, u, v, add(scene.materials, ImageTexture{picture})}};
     build_bvhs(scene);
@@ -42,8 +42,8 @@ TEST_CASE("a picture on a quad has its lower left corner at the quad's corner") 
     }
 }
 
-TEST_CASE("a picture on a mesh follows the uv of the corners") {
-    // Two triangles over [0, 3] x [0, 2] with the corners of each in another order.
+TEST_CASE("a texture on a mesh follows the uv coordinates of the vertices") {
+    // Two triangles over [0, 3] x [0, 2], with a different vertex order.
     ObjModel file;
     file.positions = {{0, 0, 0}, {3, 0, 0}, {3, 2, 0}, {0, 2, 0}};
     file.uvs = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
@@ -61,16 +61,16 @@ TEST_CASE("a picture on a mesh follows the uv of the corners") {
         for (int k = 0; k < 19; ++k) {
             const float x = 0.1f + 0.1f * float(i), y = 0.1f + 0.1f * float(k) - 0.003f * float(i);
             if (!(seen_at(scene, x, y) == approx(bilinear(texture, {x / 3, y / 2}), 1e-4f)))
-                FAIL_CHECK("at (", x, ", ", y, ") it shows ", seen_at(scene, x, y), " in place of ",
+                FAIL_CHECK("at (", x, ", ", y, ") it shows ", seen_at(scene, x, y), " instead of ",
                            bilinear(texture, {x / 3, y / 2}),
-                           " (torn at the diagonal: weights in the wrong order)");
+                           " (a break along the diagonal: weights in the wrong order)");
         }
     }
     CHECK(seen_at(scene, 0.5f, 0.5f) == approx(texture.texels[3], 1e-4f));
     CHECK(seen_at(scene, 2.5f, 1.5f) == approx(texture.texels[2], 1e-4f));
 }
 
-TEST_CASE("a lit picture reflects albedo / pi of what arrives, and shines by itself where it is told to") {
+TEST_CASE("a lit texture reflects albedo / pi of the irradiance and adds its emission") {
     Scene scene;
     const int picture = add(scene.textures, texture_of(1, 1, {{0.8f, 0.4f, 0.2f}}));
     scene.planes = {{{0, 0, 0},
@@ -82,7 +82,7 @@ TEST_CASE("a lit picture reflects albedo / pi of what arrives, and shines by its
     CHECK(radiance(scene, Ray{{0.5f, 0, 1}, {-0.5f, 0, -1}}, 2) == approx(vec3(0.1f, 0.1f, 0.05f + 3)));
 }
 
-TEST_CASE("a reflective coat lies over a picture as over any other material") {
+TEST_CASE("a reflective coat covers a texture like any other material") {
     Scene scene;
     scene.sky = {vec3(0.2f), vec3(1)};
     const int base = add(scene.materials, ImageTexture{add(scene.textures, card()), vec3(1)});
@@ -96,9 +96,10 @@ TEST_CASE("a reflective coat lies over a picture as over any other material") {
     CHECK(seen(coat) == approx(0.7f * seen(base) + 0.3f * seen(mirror)));
 }
 
-TEST_CASE("a checker of .8 and .15 seen from far away averages .475") {
-    // 400 x 400 rays over some 3,000 squares: the mean of a fair coin between .8 and .15 has a standard error
-    // of .325 / 400 = .0008 (less, since the rays are spread evenly). |z| < 4: one false alarm in 16,000.
+TEST_CASE("a checkerboard of .8 and .15 seen from far away averages .475") {
+    // 400 x 400 rays over about 3,000 squares: the mean of a fair coin between .8 and .15 has a
+    // standard error of .325 / 400 = .0008 (less, because the rays are stratified). |z| < 4:
+    // one false alarm in 16,000.
     Scene scene = evenly_lit();
     scene.planes = {
         {{0.3f, 0, 0.2f}, {0, 1, 0}, add(scene.materials, Checkerboard{vec3(0.8f), vec3(0.15f), 0.37f})}};
@@ -135,7 +136,7 @@ TEST_CASE("a texture of .8 and .15 seen from far away averages .475 too") {
     CHECK(std::abs(mean.z(0.475)) < 4);
 }
 
-TEST_CASE("tinted glass, mirrors and depth work among textures as they did in step 04") {
+TEST_CASE("tinted glass, mirrors and depth work in a textured scene as in step 04") {
     const vec3 absorption{0.1f, 0.35f, 0.8f};
     Scene scene = evenly_lit();
     scene.spheres = {{{1, 2, 3}, 2, add(scene.materials, Dielectric{{1, absorption}})},

@@ -1,4 +1,4 @@
-// Facts about a model's files in a scene: its materials, its pictures, and what shows where one is missing.
+// Facts about a model's files in a scene: its materials, its textures, and the fallback for a missing one.
 #include "common/image/image.h"
 #include "common/math/random.h"
 #include "tests/06_textures/scenes.h"
@@ -12,7 +12,7 @@ using namespace rt;
 
 namespace {
 
-/// A folder that goes away with everything in it.
+/// A temporary folder that is deleted with its contents.
 class Folder {
   public:
     Folder() {
@@ -26,7 +26,7 @@ class Folder {
 
     std::string file(const std::string& name) const { return (path / name).string(); }
     void write(const std::string& name, const std::string& text) const { std::ofstream(path / name) << text; }
-    /// A picture of one colour; returned is that colour as 8 bits keep it.
+    /// Writes an image of one colour and returns that colour as quantised to 8 bits.
     vec3 write_picture(const std::string& name, vec3 linear) const {
         Image image(2, 3);
         for (vec3& pixel : image.pixels) pixel = linear;
@@ -40,7 +40,7 @@ class Folder {
 
 } // namespace
 
-TEST_CASE("one mesh carries several materials and several textures") {
+TEST_CASE("one mesh can have several materials and several textures") {
     const Folder folder;
     const vec3 wood = folder.write_picture("wood.png", {0.5f, 0.3f, 0.1f});
     const vec3 stone = folder.write_picture("stone.png", {0.2f, 0.25f, 0.6f});
@@ -61,16 +61,16 @@ TEST_CASE("one mesh carries several materials and several textures") {
     folder.write("model.obj", obj);
 
     Scene scene = evenly_lit();
-    add(scene.textures, card()); // something is in the scene before the model
+    add(scene.textures, card()); // the scene is not empty before the model is added
     add(scene.materials, Diffuse{vec3(0.01f)});
     add_model(scene, read_obj(folder.file("model.obj")), 40);
     build_bvhs(scene);
-    CHECK_MESSAGE(scene.textures.size() == 3, "each picture is loaded once");
+    CHECK_MESSAGE(scene.textures.size() == 3, "each image file must be loaded once");
     const auto seen = [&](int i) { return seen_at(scene, float(2 * i) + 0.3f, 0.3f); };
     CHECK(seen(0) == approx(wood, 1e-4f));
     CHECK(seen(1) == approx({0.8f, 0.4f, 0.2f}, 1e-4f));
-    CHECK_MESSAGE(seen(2) == approx(vec3(0.5f, 1, 0.25f) * stone, 1e-4f), "Kd multiplies the picture");
-    CHECK_MESSAGE(seen(3) == approx(wood, 1e-4f), "a picture without Kd is shown as it is");
+    CHECK_MESSAGE(seen(2) == approx(vec3(0.5f, 1, 0.25f) * stone, 1e-4f), "Kd multiplies the texture");
+    CHECK_MESSAGE(seen(3) == approx(wood, 1e-4f), "a texture without Kd is shown unchanged");
     CHECK(seen(4) == approx({3, 2, 1}, 1e-4f));
     CHECK(seen(5) == approx(0.75f * vec3(0.5f, 1, 0.25f) * stone + 0.25f, 1e-4f));
 }
@@ -92,32 +92,32 @@ TEST_CASE("two models keep their own textures") {
     for (int i = 0; i < 3; ++i) {
         INFO("model ", i);
         CHECK_MESSAGE(seen_at(scene, float(2 * i) + 0.3f, 0.3f) == approx(colours[std::size_t(i)], 1e-4f),
-                      "the numbers of a model's textures start where those of the model before it end");
+                      "the indices of a model's textures start after those of the previous model");
     }
 }
 
-TEST_CASE("a texture that is missing shows as a magenta checker") {
+TEST_CASE("a missing texture is shown as a magenta checkerboard") {
     const Folder folder;
     folder.write("model.mtl", "newmtl a\nmap_Kd nowhere.png\n");
     folder.write("model.obj", "mtllib model.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
                               "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n");
     Scene scene = evenly_lit();
-    add_model(scene, read_obj(folder.file("model.obj")), 40); // it says so on stderr
+    add_model(scene, read_obj(folder.file("model.obj")), 40); // prints a warning to stderr
     build_bvhs(scene);
     int magenta = 0, black = 0;
     for (int i = 0; i < 900; ++i) {
         const vec3 colour = seen_at(scene, (float(i % 30) + 0.5f) / 30, (float(i / 30) + 0.5f) / 30);
         if (!(colour.y == approx(0, 1e-4f) && colour.x == approx(colour.z, 1e-4f)))
-            FAIL_CHECK("got ", colour, ", which is no shade of magenta");
+            FAIL_CHECK("got ", colour, ", which is not a shade of magenta");
         magenta += colour.x > 0.5f;
         black += colour.x < 0.5f;
     }
-    INFO("magenta ", magenta, ", black ", black, " of 900 places");
-    CHECK_MESSAGE(magenta > 300, "a file that is missing must not go unseen");
+    INFO("magenta ", magenta, ", black ", black, " of 900 points");
+    CHECK_MESSAGE(magenta > 300, "a missing file must not go unnoticed");
     CHECK(black > 300);
 }
 
-TEST_CASE("a picture from a file lies upright on a mesh") {
+TEST_CASE("an image from a file is upright on a mesh") {
     const Folder folder;
     Image image(3, 2);
     image.pixels = {red, green, blue, grey, cyan, orange};
@@ -134,7 +134,7 @@ TEST_CASE("a picture from a file lies upright on a mesh") {
     CHECK(seen_at(scene, 2.5f, 0.5f) == approx(orange, 6e-3f));
 }
 
-TEST_CASE("a glass model stays glass, and a tree changes nothing about textured shapes") {
+TEST_CASE("a glass model stays glass and a tree changes nothing about textured shapes") {
     Scene scene = evenly_lit();
     const auto material = [&](const ObjMaterial& m) {
         return scene.materials[std::size_t(add_material(scene, m, 0))];

@@ -1,4 +1,4 @@
-// Scenes for the checks of step 06: evenly lit, and seen from above.
+// Scenes for the checks of step 06: uniformly lit, and seen from above.
 #pragma once
 
 #include "04_refraction/radiance.h"
@@ -7,14 +7,14 @@
 
 namespace rt {
 
-/// A scene under a sky that makes E = pi everywhere, so that the radiance of a matte surface is its albedo.
+/// Builds a scene under a sky of irradiance pi, so that the radiance of a matte surface is its albedo.
 inline Scene evenly_lit() {
     Scene scene;
     scene.sky = {vec3(1), vec3(1)};
     return scene;
 }
 
-/// What the eye sees of the scene from straight above at (x, y), with z up.
+/// Returns the radiance seen at (x, y) from straight above, with z up.
 inline vec3 seen_at(const Scene& scene, float x, float y) {
     return radiance(scene, Ray{{x, y, 5}, {0, 0, -2}}, 4);
 }

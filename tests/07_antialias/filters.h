@@ -1,4 +1,4 @@
-// What the checks of filters and pixels share: each filter by its name.
+// What the checks of filters and pixels share: all filters and their names.
 #pragma once
 
 #include "07_antialias/filter.h"

@@ -1,6 +1,6 @@
-// Facts about the numbers of a sample: even over the samples of a pixel in each dimension, and without any
-// knowledge of each other across dimensions, pixels and seeds. Seeds are fixed: a right sampler is beyond
-// z = 4 in one run of 31,000 for the one-sided tests of spread, of 16,000 for the two-sided ones of a mean.
+// Facts about samplers: even over the samples of a pixel, and independent of pixel, seed and dimension.
+// Seeds are fixed: a correct sampler exceeds z = 4 in one run out of 31,000 in one-sided tests of the
+// distribution, and out of 16,000 in two-sided tests of a mean.
 #include "07_antialias/sampler.h"
 #include "tests/07_antialias/step.h"
 #include "tests/check.h"
@@ -22,7 +22,7 @@ Sampler sampler_of(SamplerKind kind, int pixel, int index, int count, std::uint6
                               Random(pixel % 640, pixel / 640, index, seed), seed}};
 }
 
-/// What a sample asks for in these tests: a pair, a number, a pair, a number.
+/// The dimensions that these checks draw: a 2D point, a number, a 2D point, a number.
 constexpr std::size_t dimensions = 6;
 using Point = std::array<float, dimensions>;
 
@@ -44,7 +44,7 @@ std::size_t bin(float u, int bins) {
     return std::size_t(std::min(int(u * float(bins)), bins - 1));
 }
 
-/// How many samples the fullest of `columns` x `rows` equal boxes holds.
+/// Returns how many samples are in the fullest of `columns` x `rows` equal boxes.
 int fullest_box(const std::vector<vec2>& points, int columns, int rows) {
     std::vector<int> boxes(std::size_t(columns) * std::size_t(rows));
     for (const vec2 p : points) ++boxes[bin(p.y, rows) * std::size_t(columns) + bin(p.x, columns)];
@@ -61,14 +61,14 @@ std::vector<vec2> pairs_of(const std::vector<Point>& points, std::size_t first) 
 
 // ---- even over the samples of a pixel
 
-TEST_CASE("of 2^k Sobol samples one lies in every box of area 2^-k, whatever its shape") {
+TEST_CASE("of 2^k Sobol samples one is in every box of area 2^-k whatever its shape") {
     for (int k = 0; k <= 10; ++k)
         for (const int pixel : {0, 1, 99'999}) {
             const std::vector<Point> points = points_of(SamplerKind::sobol, pixel, 1 << k);
             for (int a = 0; a <= k; ++a)
                 for (const std::size_t first : {0u, 3u}) {
                     INFO((1 << k) << " samples, boxes 2^-" << a << " wide, dimensions " << first << " and "
-                                  << first + 1 << ": 2 samples in a box leave another empty");
+                                  << first + 1 << ": 2 samples in a box leave another one empty");
                     CHECK(fullest_box(pairs_of(points, first), 1 << a, 1 << (k - a)) == 1);
                 }
             for (const std::size_t single : {2u, 5u}) {
@@ -79,7 +79,7 @@ TEST_CASE("of 2^k Sobol samples one lies in every box of area 2^-k, whatever its
         }
 }
 
-TEST_CASE("of any number of Sobol samples no two share a box that the next power of two divides into") {
+TEST_CASE("of any number of Sobol samples no two share a box of the next power-of-two subdivision") {
     for (int count = 1; count <= 130; ++count) {
         const int k = std::bit_width(std::uint32_t(count - 1));
         const std::vector<Point> points = points_of(SamplerKind::sobol, 7, count);
@@ -90,19 +90,18 @@ TEST_CASE("of any number of Sobol samples no two share a box that the next power
     }
 }
 
-TEST_CASE("of any number of stratified samples one lies in every cell, in every dimension") {
+TEST_CASE("of any number of stratified samples one is in every cell in every dimension") {
     for (int count = 1; count <= 130; ++count) {
         const std::vector<Point> points = points_of(SamplerKind::stratified, 7, count);
         for (const std::size_t single : {2u, 5u}) {
             std::vector<int> cells(std::size_t(count), 0);
-            // The float nearest to a cell's border may stand a rounding before it: a nudge keeps it inside.
+            // Rounding may put the float of a cell's border just before it: a small offset keeps it inside.
             for (const Point& point : points) ++cells[bin(point[single] + 1e-7f, count)];
             INFO(count << " samples, dimension " << single);
             CHECK(*std::max_element(cells.begin(), cells.end()) == 1);
         }
         const int rows = int(std::sqrt(float(count)));
-        if (rows * rows != count)
-            continue; // cells of other counts: see "each of 1 to 100 stratified samples"
+        if (rows * rows != count) continue; // for other counts see "each of 1 to 100 stratified samples"
         for (const std::size_t first : {0u, 3u}) {
             INFO(count << " samples, dimensions " << first << " and " << first + 1);
             std::vector<vec2> pairs = pairs_of(points, first);
@@ -112,7 +111,7 @@ TEST_CASE("of any number of stratified samples one lies in every cell, in every 
     }
 }
 
-TEST_CASE("every sample is spread evenly over the pixels, in every dimension") {
+TEST_CASE("every sample is spread evenly over the pixels in every dimension") {
     for (const SamplerKind kind : kinds)
         for (const int index : {0, 1, 11}) {
             std::array<std::vector<int>, dimensions> bins;
@@ -124,7 +123,7 @@ TEST_CASE("every sample is spread evenly over the pixels, in every dimension") {
             for (std::size_t d = 0; d < dimensions; ++d) {
                 INFO(name(kind) << ", sample " << index << ", dimension " << d
                                 << ": z = " << unevenness(bins[d])
-                                << "; beyond 4 the mean of a picture is not the mean of light");
+                                << "; if z exceeds 4, the mean of the picture is biased");
                 CHECK(unevenness(bins[d]) < 4);
             }
         }
@@ -137,7 +136,7 @@ TEST_CASE("no number reaches 1") {
     float largest = 0;
     for (int repeat = 0; repeat < 100'000; ++repeat)
         largest = std::max(largest, stratified_1d(count - 1, count, random));
-    CHECK_MESSAGE(largest < 1, "the last cell and the jitter add up to 1");
+    CHECK_MESSAGE(largest < 1, "the index of the last cell and the jitter add up to 1");
     for (const SamplerKind kind : kinds)
         for (int index = 0; index < 100'000; ++index)
             for (const float u : point_of(kind, 1, index, 100'000)) {
@@ -146,11 +145,11 @@ TEST_CASE("no number reaches 1") {
             }
 }
 
-// ---- no knowledge of each other
+// ---- independent of each other
 
-TEST_CASE("two dimensions of a pixel fill their square as evenly as chance does, or better") {
-    // With c = 12 (u - 1/2) (v - 1/2), the mean of n samples' c has the variance 1 / n for random samples,
-    // 1 / (n - 1) for dimensions that are even, but permuted against each other.
+TEST_CASE("two dimensions of a pixel fill their square at least as evenly as random numbers") {
+    // With c = 12 (u - 1/2) (v - 1/2), the mean of c over n samples has the variance 1 / n for random
+    // samples, and 1 / (n - 1) for dimensions that are stratified and independently permuted.
     const int count = 16;
     for (const SamplerKind kind : kinds)
         for (std::size_t a = 0; a < dimensions; ++a)
@@ -166,9 +165,8 @@ TEST_CASE("two dimensions of a pixel fill their square as evenly as chance does,
                 INFO(name(kind) << ", dimensions " << b << " and " << a);
                 INFO("correlation: " << mean.against(0));
                 CHECK(std::abs(mean.z(0)) < 4);
-                INFO("in a single pixel, n x its square: " << square.mean()
-                                                           << "; about n: both dimensions go through the "
-                                                              "samples in the same order");
+                INFO("in a single pixel, n times its square: "
+                     << square.mean() << "; about n: both dimensions visit the samples in the same order");
                 CHECK(square.z(double(count) / (count - 1)) < 4);
             }
 }
@@ -187,7 +185,7 @@ TEST_CASE("two dimensions fill their square evenly over the pixels") {
             }
 }
 
-TEST_CASE("a pixel, a seed or a sample more, and the numbers know nothing of those before") {
+TEST_CASE("numbers of different pixels, seeds and samples are independent") {
     for (const SamplerKind kind : kinds) {
         std::array<Mean, 3> other;
         for (int pixel = 0; pixel < 30'000; ++pixel) {
@@ -207,11 +205,11 @@ TEST_CASE("a pixel, a seed or a sample more, and the numbers know nothing of tho
         for (const Mean& mean : other) CHECK(std::abs(mean.z(0)) < 4);
         CHECK(point_of(kind, 8, 0, 64) != point_of(kind, 8, 1, 64));
         CHECK_MESSAGE(point_of(kind, 8, 5, 64) == point_of(kind, 8, 5, 64),
-                      "numbers depend on what was asked before");
+                      "the numbers depend on earlier calls");
     }
 }
 
-TEST_CASE("the random sampler hands out what Random does") {
+TEST_CASE("the random sampler returns the numbers of Random") {
     Random random(4, 2, 9, 77), same = random;
     Sampler of_sample(SamplerKind::random, PixelSample{4, 2, 9, 16, random, 77}), of_random(random);
     for (int i = 0; i < 10; ++i) {
@@ -224,22 +222,23 @@ TEST_CASE("the random sampler hands out what Random does") {
     }
 }
 
-TEST_CASE("every sample of every pixel has its own place") {
+TEST_CASE("every sample of every pixel has its own position") {
     const auto first = [](SamplerKind kind, int x, int y, int index, std::uint64_t seed) {
         return Sampler(kind, PixelSample{x, y, index, 16, Random(x, y, index, seed), seed}).uniform2();
     };
     for (const SamplerKind kind : kinds) {
-        INFO(name(kind) << ": equal places mean one seed for all pixels (a fixed dirt over the picture)");
+        INFO(name(kind)
+             << ": equal positions mean that all pixels share one seed (a fixed pattern over the picture)");
         const vec2 here = first(kind, 0, 0, 0, 1);
         CHECK(here != first(kind, 1, 0, 0, 1));
         CHECK(here != first(kind, 0, 1, 0, 1));
         CHECK(first(kind, 1, 0, 0, 1) != first(kind, 0, 1, 0, 1));
         CHECK(here != first(kind, 0, 0, 0, 2));
-        CHECK_MESSAGE(here != first(kind, 0, 0, 1, 1), "the generator starts again at every sample");
+        CHECK_MESSAGE(here != first(kind, 0, 0, 1, 1), "the generator restarts at every sample");
     }
 }
 
-TEST_CASE("render gives neighbouring pixels and samples different places") {
+TEST_CASE("render gives neighbouring pixels and samples different positions") {
     std::array<vec2, 6> places{};
     RenderSettings wanted = picture(2, 2, 2);
     wanted.threads = 1;
@@ -257,13 +256,13 @@ TEST_CASE("render gives neighbouring pixels and samples different places") {
         }
 }
 
-// ---- what it is for
+// ---- purpose
 
-TEST_CASE("the error of a smooth mean falls much faster for even samples") {
-    // In the first two dimensions, the last two, and in sum over all six: evenness does not fade.
+TEST_CASE("the error of a smooth mean decreases much faster for even samples") {
+    // For the first two dimensions, the last two, and the sum over all six: evenness does not degrade.
     const auto bump = [](float x, float y) { return double(std::exp(-x) * (1 + x * y)); };
     const auto exact = 0.632120559 + 0.264241118 / 2; // (1 - 1/e) + (1 - 2/e) / 2
-    const std::array<double, 3> factor{0, 30, 200};   // at least this much less squared error at 256
+    const std::array<double, 3> factor{0, 30, 200};   // minimum ratio of squared errors at 256
     for (int part = 0; part < 3; ++part) {
         std::array<std::array<double, 3>, 3> squared{};
         for (const SamplerKind kind : kinds)
@@ -291,8 +290,8 @@ TEST_CASE("the error of a smooth mean falls much faster for even samples") {
     }
 }
 
-TEST_CASE("16 even samples leave less than half of the variance of an edge that 16 random ones leave") {
-    // The line passes through pixels at all angles and distances; p is the share that lies on its inner side.
+TEST_CASE("16 even samples have less than half of the variance at an edge of 16 random samples") {
+    // The line crosses pixels at all angles and distances; p is the share on its inner side.
     std::array<Mean, 3> variance;
     Random shapes(37);
     for (int trial = 0; trial < 60; ++trial) {
@@ -315,9 +314,10 @@ TEST_CASE("16 even samples leave less than half of the variance of an edge that 
         }
     }
     const Mean &random = variance[0], &stratified = variance[1], &sobol = variance[2];
-    INFO("in units of p (1 - p) / 16, random samples left "
-         << random.mean() << ", stratified ones " << stratified.mean() << ", Sobol ones " << sobol.mean());
-    CHECK_MESSAGE(stratified.mean() < 0.5, "as much as random ones: the samples are not held in their cells");
-    CHECK_MESSAGE(sobol.mean() < 0.5, "as much as random ones: the points are not those of Sobol");
-    CHECK_MESSAGE(std::abs(random.z(1)) < 4, "random samples are to be random: " << random.against(1));
+    INFO("variances in units of p (1 - p) / 16: random samples "
+         << random.mean() << ", stratified " << stratified.mean() << ", Sobol " << sobol.mean());
+    CHECK_MESSAGE(stratified.mean() < 0.5,
+                  "as much as random samples: the samples do not stay in their cells");
+    CHECK_MESSAGE(sobol.mean() < 0.5, "as much as random samples: these are not Sobol points");
+    CHECK_MESSAGE(std::abs(random.z(1)) < 4, "the random samples are not random: " << random.against(1));
 }

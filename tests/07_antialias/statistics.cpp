@@ -1,5 +1,5 @@
-// Facts about the noise of an average: how fast it falls, and that a picture knows how noisy it is.
-// z-tests with a fixed seed: a right renderer is beyond |z| = 4 in one run of 16,000.
+// Facts about the noise of an average: how fast it decreases, and how a render estimates it.
+// These are z-tests with fixed seeds; a correct renderer exceeds |z| = 4 in one run out of 16,000.
 #include "07_antialias/filter.h"
 #include "07_antialias/sampler.h"
 #include "common/render/render.h"
@@ -16,7 +16,7 @@ using namespace rt;
 
 namespace {
 
-/// A world that is a function of the place in the picture alone, seen as step 07 sees its scene.
+/// Renders a world that is a function of the point on the film, in the same way as step 07 renders its scene.
 Film photograph(const RenderSettings& wanted, SamplerKind kind, Filter filter, float width,
                 const std::function<vec3(vec2)>& world) {
     return render(wanted, [&](const PixelSample& sample) {
@@ -25,8 +25,8 @@ Film photograph(const RenderSettings& wanted, SamplerKind kind, Filter filter, f
     });
 }
 
-/// In every pixel the same: an oblique edge that leaves p of it white, a triangle with sides .4 and .8. So
-/// p = .16. For the box filter, which stays in its pixel.
+/// The same oblique edge in every pixel: the white part is a triangle with legs .4 and .8, so p = .16. Only
+/// valid for the box filter, which stays within the pixel.
 constexpr double p_white = 0.16;
 vec3 oblique_edge(vec2 place) {
     const vec2 p = fract(place);
@@ -36,7 +36,7 @@ vec3 oblique_edge(vec2 place) {
 } // namespace
 
 TEST_CASE("four times the samples halve the error") {
-    // The mean of n samples of a 0 or 1 has the variance p (1 - p) / n.
+    // The mean of n samples of 0 or 1 has the variance p (1 - p) / n.
     for (const int samples : {4, 16, 64, 256}) {
         const Film film =
             photograph(picture(60, 60, samples), SamplerKind::random, Filter::box, 1, oblique_edge);
@@ -47,16 +47,15 @@ TEST_CASE("four times the samples halve the error") {
         }
         const double want = p_white * (1 - p_white) / samples;
         INFO(samples << " samples, squared error: " << squared_error.against(want));
-        INFO("one and the same for all counts: the generator starts again at every sample; far larger for "
-             "many "
-             "samples: neighbours share their random numbers");
+        INFO("the same for all counts: the generator restarts at every sample; far larger for many samples: "
+             "neighbours share their random numbers");
         CHECK(std::abs(squared_error.z(want)) < 4);
     }
 }
 
-TEST_CASE("even samples do better than halving: an edge crosses few cells") {
-    // About 2 sqrt(n) of n cells are crossed, so the variance falls with n^-3/2: by 8 for 4 times the
-    // samples.
+TEST_CASE("even samples do better than halving because an edge crosses few cells") {
+    // The edge crosses about 2 sqrt(n) of n cells, so the variance is proportional to n^-3/2: 4 times the
+    // samples reduce it by 8.
     for (const SamplerKind kind : {SamplerKind::stratified, SamplerKind::sobol}) {
         double before = 0;
         for (const int samples : {16, 64, 256}) {
@@ -68,7 +67,7 @@ TEST_CASE("even samples do better than halving: an edge crosses few cells") {
             }
             INFO("sampler " << int(kind) << ", " << samples << " samples, mean error: " << error.against(0));
             CHECK(std::abs(error.z(0)) < 4);
-            INFO("squared error " << squared_error.mean() << ", random samples would leave "
+            INFO("squared error " << squared_error.mean() << ", random samples would have "
                                   << p_white * (1 - p_white) / samples);
             CHECK(squared_error.mean() < 0.5 * p_white * (1 - p_white) / samples);
             if (before > 0) CHECK(squared_error.mean() < before / 5);
@@ -77,7 +76,7 @@ TEST_CASE("even samples do better than halving: an edge crosses few cells") {
     }
 }
 
-TEST_CASE("a disc covers pi R^2 pixels in sum, whatever the filter") {
+TEST_CASE("a disc covers pi R^2 pixels in total whatever the filter") {
     const float radius = 6.3f;
     const vec2 middle(12.2f, 10.7f);
     const double area = double(pi) * 6.3 * 6.3;
@@ -93,13 +92,13 @@ TEST_CASE("a disc covers pi R^2 pixels in sum, whatever the filter") {
                 sum.add(covered);
             }
             INFO("filter " << int(filter) << ", sampler " << int(kind) << ": " << sum.against(area)
-                           << "; a constant factor is a filter whose weights do not add up to 1");
+                           << "; off by a constant factor: the weights of the filter do not add up to 1");
             CHECK(std::abs(sum.z(area)) < 4);
         }
 }
 
-TEST_CASE("the variance that is kept is the spread of the picture over seeds") {
-    // Each of 3,600 equal pixels has its own random numbers: they are as good as 3,600 seeds.
+TEST_CASE("the estimated variance is the variance of the picture over seeds") {
+    // Each of 3,600 equal pixels has its own random numbers, which is equivalent to 3,600 seeds.
     const Film film = photograph(picture(60, 60, 12), SamplerKind::random, Filter::box, 1, oblique_edge);
     Mean value, predicted;
     for (std::size_t i = 0; i < film.mean.pixels.size(); ++i) {
@@ -113,17 +112,16 @@ TEST_CASE("the variance that is kept is the spread of the picture over seeds") {
     }
     const double z =
         (predicted.mean() - spread.mean()) / std::hypot(predicted.standard_error(), spread.standard_error());
-    INFO(
-        "predicted " << predicted.mean() << ", found " << spread.mean() << ", z = " << z
-                     << "; 12 times too large is the variance of a sample, not of their mean; 11/12 of it is "
-                        "divided by n in place of n - 1");
+    INFO("predicted " << predicted.mean() << ", found " << spread.mean() << ", z = " << z
+                      << "; 12 times too large: the variance of a sample instead of their mean; 11/12 of the "
+                         "correct value: divided by n instead of n - 1");
     CHECK(std::abs(z) < 4);
-    INFO("against p (1 - p) / 12: " << predicted.against(p_white * (1 - p_white) / 12));
+    INFO("compared to p (1 - p) / 12: " << predicted.against(p_white * (1 - p_white) / 12));
     CHECK(std::abs(predicted.z(p_white * (1 - p_white) / 12)) < 4);
 }
 
-TEST_CASE("for even samples the kept variance errs to the safe side") {
-    // It counts the samples as if each had been chosen without a look at the others.
+TEST_CASE("for even samples the estimated variance is conservative") {
+    // The estimate treats the samples as independent.
     for (const SamplerKind kind : {SamplerKind::stratified, SamplerKind::sobol}) {
         const Film film = photograph(picture(60, 60, 16), kind, Filter::box, 1, oblique_edge);
         Mean error_squared, predicted;

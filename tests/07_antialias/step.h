@@ -1,5 +1,4 @@
-// What the checks of samples, samplers and pixels share: the kinds of samplers, the points that they hand
-// out, and how uneven counts are.
+// What the checks of samplers and pixels share: the samplers, their points, and a test of uniformity.
 #pragma once
 
 #include "07_antialias/sampler.h"
@@ -18,7 +17,7 @@ inline std::string name(SamplerKind kind) {
     return std::array{"random", "stratified", "Sobol"}[std::size_t(kind)];
 }
 
-/// The first point that sample `index` of `count` of a pixel asks for.
+/// Returns the first 2D point of sample `index` of `count` in a pixel.
 inline vec2 first_point(SamplerKind kind, int index, int count, int pixel, std::uint64_t seed) {
     return Sampler(kind, PixelSample{pixel, 0, index, count, Random(pixel, 0, index, seed), seed}).uniform2();
 }
@@ -32,8 +31,8 @@ inline RenderSettings picture(int width, int height, int samples, std::uint64_t 
     return wanted;
 }
 
-/// How many standard deviations these counts are more uneven than even chances make them: Pearson's
-/// chi-square, made normal by Wilson and Hilferty (1931).
+/// Returns by how many standard deviations these counts deviate from a uniform distribution: Pearson's
+/// chi-square, transformed to a normal variable by Wilson and Hilferty (1931).
 inline double unevenness(const std::vector<int>& counts) {
     double sum = 0, chi_square = 0;
     for (const int count : counts) sum += count;

@@ -1,5 +1,6 @@
-// Facts about a lens: where its rays start, where they meet, and how wide a point out of focus becomes.
-// Noisy facts are z-tests with a fixed seed: a right renderer is beyond |z| = 4 in one run of 16,000.
+// Facts about a thin lens: the origins of its rays, their convergence, and the circle of confusion.
+// Statistical checks are z-tests with fixed seeds; a correct renderer exceeds |z| =
+// 4 in one run out of 16,000.
 #include "07_antialias/program/options.h"
 #include "tests/check.h"
 
@@ -14,13 +15,13 @@ namespace {
 const LookAt look_at{.from = {1, 2, 3}, .at = {-1, 1.5f, -4}, .up = {0.1f, 1, 0}, .fov = 50};
 const Camera camera = make_camera(look_at, 600, 400);
 
-/// Where the ray meets the plane `depth` ahead of the camera.
+/// Returns the point where the ray crosses the plane at `depth` in front of the camera.
 vec3 at_depth(const Ray& ray, float depth) {
     return at(ray,
               (depth - dot(ray.origin - camera.origin, camera.forward)) / dot(ray.direction, camera.forward));
 }
 
-/// A grid over [0, 1)^2 that has its corners, its edges and its middle.
+/// Returns a grid over [0, 1)^2 that includes its corners, its edges and its centre.
 std::vector<vec2> grid() {
     std::vector<vec2> points;
     for (int y = 0; y <= 32; ++y)
@@ -31,8 +32,8 @@ std::vector<vec2> grid() {
 } // namespace
 
 TEST_CASE("points of the disk are spread evenly by area, and even points stay even") {
-    // Even by area: the mean of r^2 is 1/2, that of r^4 1/3; and x and y are alike and know nothing of each
-    // other.
+    // Even by area: the mean of r^2 is 1/2 and that of r^4 is 1/3; x and y have the same
+    // distribution and are uncorrelated.
     Mean x, y, xy, difference, square, fourth;
     Random random(3);
     for (int i = 0; i < 100'000; ++i) {
@@ -42,7 +43,7 @@ TEST_CASE("points of the disk are spread evenly by area, and even points stay ev
         x.add(double(p.x)), y.add(double(p.y)), xy.add(double(p.x * p.y));
         difference.add(double(p.x * p.x - p.y * p.y)), square.add(r2), fourth.add(r2 * r2);
     }
-    INFO("mean of r^2, 1/3 if the radius is even in place of the area, 2/3 if the corners are not folded in: "
+    INFO("mean of r^2; 1/3: the radius is uniform instead of the area; 2/3: the corners are not folded in: "
          << square.against(0.5));
     CHECK(std::abs(square.z(0.5)) < 4);
     INFO("mean of r^4: " << fourth.against(1.0 / 3));
@@ -50,8 +51,7 @@ TEST_CASE("points of the disk are spread evenly by area, and even points stay ev
     INFO("means of x, y, x y, x^2 - y^2: " << x.against(0) << "; " << y.against(0) << "; " << xy.against(0)
                                            << "; " << difference.against(0));
     for (const Mean& mean : {x, y, xy, difference}) CHECK(std::abs(mean.z(0)) < 4);
-    // Area is kept everywhere: a small square of side h becomes a patch of h^2 times pi (disk) over 1
-    // (square).
+    // The mapping preserves area: a small square of side h becomes a patch of area pi h^2.
     for (const vec2 u :
          {vec2(0.2f, 0.3f), vec2(0.9f, 0.6f), vec2(0.55f, 0.95f), vec2(0.4f, 0.1f), vec2(0.05f, 0.5f)}) {
         const float h = 1 / 256.0f;
@@ -63,7 +63,7 @@ TEST_CASE("points of the disk are spread evenly by area, and even points stay ev
     CHECK(sample_disk_concentric(vec2(0.5f)) == vec2(0));
 }
 
-TEST_CASE("a lens without width is the pinhole, bit by bit") {
+TEST_CASE("a lens of zero width is a pinhole to the last bit") {
     for (const vec2 pixel : {vec2(0), vec2(300, 200), vec2(17.3f, 391.8f)})
         for (const vec2 u : grid()) {
             const Ray ray = thin_lens_ray(camera, {0, 3}, pixel, u), pinhole = camera_ray(camera, pixel);
@@ -73,10 +73,10 @@ TEST_CASE("a lens without width is the pinhole, bit by bit") {
     Sampler asked(SamplerKind::sobol, PixelSample{1, 2, 3, 16, Random(1, 2, 3, 4), 4}), untouched = asked;
     CHECK(sample_camera_ray(camera, {0, 3}, vec2(9), asked).direction ==
           camera_ray(camera, vec2(9)).direction);
-    CHECK_MESSAGE(asked.uniform() == untouched.uniform(), "a pinhole asks for no numbers");
+    CHECK_MESSAGE(asked.uniform() == untouched.uniform(), "a pinhole must not draw numbers");
 }
 
-TEST_CASE("rays start all over the lens, at right angles to the line of sight") {
+TEST_CASE("rays start all over the lens perpendicular to the line of sight") {
     const ThinLens lens{0.8f, 3};
     float farthest = 0;
     for (const vec2 u : grid()) {
@@ -85,9 +85,9 @@ TEST_CASE("rays start all over the lens, at right angles to the line of sight") 
         CHECK(length(ray.direction) == approx(1));
         farthest = std::max(farthest, distance(ray.origin, camera.origin));
     }
-    INFO("the aperture is the lens's width: rays start up to half of it from its middle");
+    INFO("the aperture is the diameter of the lens: rays start up to half of it from its centre");
     CHECK(farthest == approx(0.4f, 1e-4f));
-    // The lens is round: equally wide along both axes of the picture, however wide that is.
+    // The lens is round: equally wide along both axes of the picture, whatever its aspect ratio.
     Mean across, along;
     Random random(5);
     for (int i = 0; i < 40'000; ++i) {
@@ -102,29 +102,29 @@ TEST_CASE("rays start all over the lens, at right angles to the line of sight") 
     CHECK(std::abs(along.z(0.04)) < 4);
 }
 
-TEST_CASE("what lies in the plane of focus is seen at one point of the picture from all over the lens") {
+TEST_CASE("a point in the plane of focus is seen at one point of the picture from all over the lens") {
     for (const vec2 pixel : {vec2(0), vec2(300, 200), vec2(590, 30)}) {
         const vec3 seen = at_depth(camera_ray(camera, pixel), 5);
         for (const vec2 u : grid()) {
             INFO("through " << to_text(pixel)
-                            << "; wrong only away from the middle: a sphere is in focus, not a plane");
+                            << "; wrong only away from the centre: a sphere is in focus instead of a plane");
             CHECK(at_depth(thin_lens_ray(camera, {0.8f, 5}, pixel, u), 5) == approx(seen, 2e-6f));
         }
     }
 }
 
-TEST_CASE("out of focus a point is a disk as wide as a thin lens makes it") {
-    // On the plane in focus, its circle of confusion is A |d - f| / d wide (Potmesil and Chakravarty 1982). A
-    // ray from the lens through the point at depth d meets the plane in focus there, and the picture's point
-    // that sees it is where the pinhole's ray meets that plane too.
+TEST_CASE("a point that is out of focus becomes a disk as wide as a thin lens makes it") {
+    // On the plane of focus, the circle of confusion has the diameter A |d - f| / d (Potmesil and Chakravarty
+    // 1982). A ray from the lens through the point at depth d crosses that plane there; the point of the
+    // picture that sees it is where the pinhole's ray crosses the plane too.
     const float aperture = 0.6f, focus = 4;
     for (const float depth : {1.5f, 3.0f, 4.0f, 7.0f, 60.0f}) {
         const float want = aperture * std::abs(depth - focus) / depth;
         float widest = 0;
         const vec2 pixel(210, 160);
         const vec3 middle = at_depth(camera_ray(camera, pixel), focus);
-        // All rays of the pixel fill a disk of aperture |d - f| / f at the depth d: by similar triangles, a
-        // point there fills one of that times f / d in the picture.
+        // All rays of the pixel fill a disk of A |d - f| / f at the depth d: by similar triangles, a point
+        // there fills one of that times f / d in the picture.
         const vec3 through = at_depth(camera_ray(camera, pixel), depth);
         for (const vec2 u : grid()) {
             const Ray ray = thin_lens_ray(camera, {aperture, focus}, pixel, u);
@@ -132,7 +132,7 @@ TEST_CASE("out of focus a point is a disk as wide as a thin lens makes it") {
         }
         INFO("at " << depth << " m");
         CHECK(widest == approx(want, 2e-3f));
-        // And through the lens itself: the picture's points from which a ray hits the point exactly.
+        // Directly through the lens: the points of the picture from which a ray hits the point exactly.
         float reach = 0;
         for (const vec2 u : grid()) {
             const vec3 on_lens = thin_lens_ray(camera, {aperture, focus}, pixel, u).origin;
@@ -143,7 +143,7 @@ TEST_CASE("out of focus a point is a disk as wide as a thin lens makes it") {
     }
 }
 
-TEST_CASE("without --focus the camera focuses on what it looks at") {
+TEST_CASE("without --focus the camera focuses on the point that it looks at") {
     Options options("test", "Where is it sharp?", RenderSettings{});
     const LensOptions knobs(options);
     const std::array words{"test", "--aperture", "0.25"};

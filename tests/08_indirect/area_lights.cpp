@@ -1,5 +1,6 @@
-// Facts about what lamps send to a place, whatever their shape and number and whatever stands between.
-// Noisy facts are z-tests with a fixed seed: a right renderer is beyond |z| = 4 in one run of 16,000.
+// Facts about area lights: the irradiance that they cause, whatever their shape, number and occlusion.
+// Statistical checks are z-tests with fixed seeds; a correct renderer exceeds |z| =
+// 4 in one run out of 16,000.
 #include "08_indirect/area_lights.h"
 #include "08_indirect/scene.h"
 #include "tests/08_indirect/step.h"
@@ -14,7 +15,7 @@
 using namespace rt;
 using glm::dvec3;
 
-TEST_CASE("all that glows is a light, to be picked in proportion to its power") {
+TEST_CASE("every emissive shape is a light and is picked in proportion to its power") {
     Scene scene;
     const int grey = add(scene.materials, Diffuse{vec3(0.5f)});
     const int red = add(scene.materials, Diffuse{vec3(0.5f), vec3(2, 0, 0)});
@@ -37,13 +38,13 @@ TEST_CASE("all that glows is a light, to be picked in proportion to its power") 
     for (const float one : power) all += one;
     for (std::size_t i = 0; i < power.size(); ++i) {
         sum += power[i];
-        INFO("light "
-             << i << ": luminance of the emission times area; a coat of reflectivity k lets 1 - k through");
+        INFO("light " << i
+                      << ": luminance of the emission times area; a coat of reflectivity k transmits 1 - k");
         CHECK(lights.cdf[i] == approx(sum / all));
     }
 }
 
-TEST_CASE("a disc above a facing point sends pi L R^2 / (R^2 + h^2)") {
+TEST_CASE("a disc above a point that faces it causes pi L R^2 / (R^2 + h^2)") {
     // R = .5, h = 1: a form factor of .2. The disc is a fan of 360 triangles with the area of the circle.
     Scene scene;
     const int lamp = add(scene.materials, emissive(vec3(3)));
@@ -56,11 +57,12 @@ TEST_CASE("a disc above a facing point sends pi L R^2 / (R^2 + h^2)") {
     for (int i = 0; i < sides; ++i) add_triangle(scene, {2, 1, -3}, rim(i), rim(i + 1), lamp);
     const Mean mean = received(scene, {2, 0, -3}, {0, 1, 0}, 100'000);
     INFO("form factor times 3: " << mean.against(0.6));
-    INFO(".25 * 3: the solid angle's stand-in pi R^2 / h^2, without the light's or the surface's cosine");
+    INFO(".25 * 3: the solid angle is approximated by pi R^2 / h^2, without the cosine of the light or the "
+         "surface");
     CHECK(off(mean, 0.6) < 4);
 }
 
-TEST_CASE("a point below the middle of a unit square sees it by .2394565") {
+TEST_CASE("a point below the centre of a unit square has a form factor of .2394565") {
     Scene scene;
     scene.quads = {{{-0.5f, 2, 3.5f}, {1, 0, 0}, {0, 0, 1}, add(scene.materials, emissive(vec3(1)))}};
     REQUIRE(float(form_factor(corners_of(scene.quads[0]), {0, 1, 4}, {0, 1, 0})) ==
@@ -70,7 +72,7 @@ TEST_CASE("a point below the middle of a unit square sees it by .2394565") {
     CHECK(off(mean, 0.2394565) < 4);
 }
 
-TEST_CASE("a bright parallelogram sends what Lambert's polygon formula says") {
+TEST_CASE("an emissive parallelogram causes the irradiance of Lambert's polygon formula") {
     Scene scene;
     scene.quads = {
         {{1, 2, -1}, {2, 0.5f, 0.3f}, {0.9f, 1, 1.5f}, add(scene.materials, emissive(vec3(2.5f)))}};
@@ -78,11 +80,11 @@ TEST_CASE("a bright parallelogram sends what Lambert's polygon formula says") {
     const double want = 2.5 * form_factor(corners_of(scene.quads[0]), position, normal);
     const Mean mean = received(scene, position, normal, 50'000);
     INFO(mean.against(want));
-    INFO("wrong by a constant: the area, or 1 / pi; wrong by the place: a cosine or 1 / r^2");
+    INFO("off by a constant: the area, or 1 / pi; off by position: a cosine or 1 / r^2");
     CHECK(off(mean, want) < 4);
 }
 
-TEST_CASE("a bright triangle sends what Lambert's polygon formula says, from near and far") {
+TEST_CASE("an emissive triangle causes the irradiance of Lambert's polygon formula from near and far") {
     const std::vector<vec3> triangle{{1, 0.4f, 2}, {3, 0.5f, 1}, {0.5f, 2, -1}};
     const vec3 normal = normalize(vec3(0.6f, 0.7f, 0.3f));
     for (const vec3 position : {vec3(0, 0, 0), vec3(-1, -3, -2), vec3(1.2f, 0.3f, 0.6f) - 0.5f * normal}) {
@@ -96,7 +98,7 @@ TEST_CASE("a bright triangle sends what Lambert's polygon formula says, from nea
     }
 }
 
-TEST_CASE("a bright ball sends pi L (R / D)^2 times the cosine") {
+TEST_CASE("an emissive ball causes pi L (R / D)^2 times the cosine") {
     Scene scene;
     scene.spheres = {{{2, 3, -1}, 0.8f, add(scene.materials, emissive(vec3(6)))}};
     const vec3 position(0.5f, 0.2f, 0.3f);
@@ -104,11 +106,11 @@ TEST_CASE("a bright ball sends pi L (R / D)^2 times the cosine") {
     const vec3 way = vec3(2, 3, -1) - position;
     const double want = 6 * 0.64 / double(dot(way, way)) * double(dot(normalize(way), normal));
     const Mean mean = received(scene, position, normal, 100'000);
-    INFO(mean.against(want) << "; twice as much: the half that faces away is to send nothing");
+    INFO(mean.against(want) << "; twice as much: the half that faces away must not contribute");
     CHECK(off(mean, want) < 4);
 }
 
-TEST_CASE("a light shines to both sides, and on nothing that faces away from it") {
+TEST_CASE("a light emits to both sides and adds nothing to surfaces that face away from it") {
     const Quad quad{{-1, 2, -0.5f}, {1.5f, 0.2f, 0}, {0.1f, 0, 2}, 0};
     const vec3 below(0.3f, 0.5f, 0.1f), above(0.3f, 3.5f, 0.1f);
     for (const bool under : {true, false}) {
@@ -122,11 +124,11 @@ TEST_CASE("a light shines to both sides, and on nothing that faces away from it"
         INFO(std::string(under ? "below: " : "above: ") << mean.against(want));
         CHECK(off(mean, want) < 4);
         CHECK_MESSAGE(received(scene, position, -normal, 1000).mean() == 0,
-                      "a cosine below 0 is to count as none");
+                      "a negative cosine must count as zero");
     }
 }
 
-TEST_CASE("several lights of different kind and power add up") {
+TEST_CASE("several lights of different types and powers add up") {
     Scene scene;
     scene.quads = {
         {{1, 2, -1}, {2, 0.5f, 0.3f}, {0.9f, 1, 1.5f}, add(scene.materials, emissive(vec3(0.5f, 9, 9)))}};
@@ -141,11 +143,11 @@ TEST_CASE("several lights of different kind and power add up") {
                         20 * form_factor(triangle, position, normal);
     const Mean mean = received(scene, position, normal, 100'000);
     INFO(mean.against(want)
-         << "; a third of it, or three times: divide by the probability of the picked light");
+         << "; a third or three times as much: divide by the probability of the picked light");
     CHECK(off(mean, want) < 4);
 }
 
-TEST_CASE("what stands between darkens, what stands beyond does not") {
+TEST_CASE("an occluder in front of a light darkens and one behind it does not") {
     const Quad lamp{{-0.5f, 2, -0.5f}, {1, 0, 0}, {0, 0, 1}, 0};
     const vec3 position(0.1f, 0, 0.2f), up(0, 1, 0);
     const double open = 3 * form_factor(corners_of(lamp), position, up);
@@ -158,14 +160,15 @@ TEST_CASE("what stands between darkens, what stands beyond does not") {
         return received(scene, position, up);
     };
     const Mean hidden = with([](Scene& s) { s.quads.push_back({{-3, 1, -3}, {6, 0, 0}, {0, 0, 6}, 1}); });
-    INFO("light through a board: area lights cast shadows too");
+    INFO("light passes through a board: area lights must cast shadows too");
     CHECK(hidden.mean() == 0);
     const Mean ceiling = with([](Scene& s) {
         s.quads.push_back({{-3, 2.002f, -3}, {6, 0, 0}, {0, 0, 6}, 1});
     });
-    INFO("a ceiling 2 mm above the lamp: " << ceiling.against(open) << "; the shadow ray ends at the lamp");
+    INFO("a ceiling 2 mm above the lamp: " << ceiling.against(open)
+                                           << "; the shadow ray must end at the lamp");
     CHECK(off(ceiling, open) < 4);
-    // A board edge above the point hides the half x > .1 of the lamp.
+    // The edge of a board above the point hides the half x > .1 of the lamp.
     const Mean half = with([](Scene& s) { s.quads.push_back({{0.1f, 1, -3}, {6, 0, 0}, {0, 0, 6}, 1}); });
     const double left =
         3 *
@@ -174,14 +177,14 @@ TEST_CASE("what stands between darkens, what stands beyond does not") {
     CHECK(off(half, left) < 4);
 }
 
-TEST_CASE("a scene without area lights gets none of their light") {
+TEST_CASE("a scene without area lights gets no light from them") {
     Scene scene;
     scene.spheres = {{{0, 3, 0}, 1, add(scene.materials, Diffuse{vec3(0.5f)})}};
     CHECK(received(scene, {0, 0, 0}, {0, 1, 0}, 100).mean() == 0);
 }
 
-TEST_CASE("the density of a direction towards lamps is that with which they are picked") {
-    // The mean of 1 / p(w) over picked points is the solid angle that they fill, front and back.
+TEST_CASE("the pdf of a direction towards lights is that with which they are sampled") {
+    // The mean of 1 / p(w) over sampled points is the solid angle of the lights, front and back.
     Scene scene;
     scene.quads = {
         {{1, 2, -1}, {2, 0.5f, 0.3f}, {0.9f, 1, 1.5f}, add(scene.materials, emissive(vec3(0.5f, 9, 9)))}};
@@ -199,7 +202,8 @@ TEST_CASE("the density of a direction towards lamps is that with which they are 
     const std::vector<vec3> quad = corners_of(scene.quads[0]);
     const double reach = double(distance(from, scene.spheres[0].center));
     const std::array want{angle(quad[0], quad[1], quad[2]) + angle(quad[0], quad[2], quad[3]),
-                          2 * 2 * double(pi) * (1 - std::sqrt(1 - 0.64 / (reach * reach))), // both its sides
+                          2 * 2 * double(pi) *
+                              (1 - std::sqrt(1 - 0.64 / (reach * reach))), // both of its sides
                           angle(triangle[0], triangle[1], triangle[2])};
     const AreaLights lights = collect_area_lights(scene);
     std::array<Mean, 3> mean;
@@ -214,9 +218,10 @@ TEST_CASE("the density of a direction towards lamps is that with which they are 
     }
     for (std::size_t k = 0; k < 3; ++k) {
         INFO("light " << k << " (quad, ball, triangle) fills " << mean[k].against(want[k]));
-        INFO("wrong by a constant: the area or the power; by the place: the distance or the cosine");
+        INFO("off by a constant: the area or the power; off by position: the distance or the cosine");
         CHECK(off(mean[k], want[k]) < 4);
     }
-    CHECK_MESSAGE(std::isfinite(light_pdf(lights, vec3(1), 1, 0)), "a lamp seen edge-on");
-    CHECK_MESSAGE(light_pdf(AreaLights{}, vec3(1), 1, 0.5f) == 0, "no lamp, no density");
+    CHECK_MESSAGE(std::isfinite(light_pdf(lights, vec3(1), 1, 0)),
+                  "the pdf must be finite for a lamp seen edge-on");
+    CHECK_MESSAGE(light_pdf(AreaLights{}, vec3(1), 1, 0.5f) == 0, "without lamps the pdf must be 0");
 }

@@ -1,4 +1,4 @@
-// Facts about coarse smooth meshes: their bent normals let no light in, and lose none.
+// Facts about coarse smooth meshes: their interpolated normals neither let light in nor lose light.
 #include "08_indirect/radiance.h"
 #include "08_indirect/scene.h"
 #include "common/math/random.h"
@@ -9,7 +9,7 @@ using namespace rt;
 
 namespace {
 
-/// A coarse ball whose normals make it look round, in an evenly bright world, with a lamp beside it.
+/// Builds a coarse ball with smooth normals in a uniformly bright world, optionally with lamps beside it.
 Scene ball(vec3 albedo, Accel accel, bool lamps) {
     Scene scene;
     scene.accel = accel;
@@ -26,7 +26,7 @@ Scene ball(vec3 albedo, Accel accel, bool lamps) {
 
 } // namespace
 
-TEST_CASE("no light gets into a closed smooth mesh, from the sky, from a point or from an area") {
+TEST_CASE("no light gets into a closed smooth mesh from the sky, a point light or an area light") {
     for (const Accel accel : {Accel::brute, Accel::bvh, Accel::wide}) {
         const Scene scene = ball(vec3(0.9f), accel, true);
         const AreaLights lights = collect_area_lights(scene);
@@ -42,7 +42,8 @@ TEST_CASE("no light gets into a closed smooth mesh, from the sky, from a point o
     }
 }
 
-TEST_CASE("a white smooth mesh in a white world is not seen: what it receives leaves it again") {
+TEST_CASE(
+    "a white smooth mesh in a white world is invisible because it reflects all the light that it receives") {
     const Scene scene = ball(vec3(1), Accel::wide, false);
     Random random(4);
     Mean mean;

@@ -1,5 +1,6 @@
-// Facts about bounces: how they are spread over the directions above a surface.
-// Noisy facts are z-tests with a fixed seed: a right renderer is beyond |z| = 4 in one run of 16,000.
+// Facts about bounces: their distribution over the hemisphere above a surface.
+// Statistical checks are z-tests with fixed seeds; a correct renderer exceeds |z| =
+// 4 in one run out of 16,000.
 #include "08_indirect/hemisphere.h"
 #include "tests/08_indirect/step.h"
 #include "tests/check.h"
@@ -11,7 +12,7 @@
 
 using namespace rt;
 
-TEST_CASE("two tangents and the normal stand at right angles, for every normal") {
+TEST_CASE("two tangents and the normal are perpendicular for every normal") {
     Random random(1);
     std::vector<vec3> all(normals.begin(), normals.end());
     for (int i = 0; i < 1000; ++i)
@@ -40,12 +41,13 @@ TEST_CASE("a bounce has unit length and leaves above the surface") {
             INFO("normal " << to_text(normal) << ", u " << to_text(u) << ", direction "
                            << to_text(direction));
             REQUIRE(length(direction) == approx(1));
-            REQUIRE_MESSAGE(dot(direction, normal) > 0, "below the surface: light comes out of the table");
+            REQUIRE_MESSAGE(dot(direction, normal) > 0,
+                            "below the surface: light comes from inside the object");
         }
     }
 }
 
-TEST_CASE("bounces crowd around the normal by Lambert's cosine") {
+TEST_CASE("bounces are denser around the normal by Lambert's cosine") {
     for (const vec3 normal : normals) {
         Mean cosine, inverse;
         std::vector<double> found(10), even(10, 2000);
@@ -57,20 +59,22 @@ TEST_CASE("bounces crowd around the normal by Lambert's cosine") {
             found[std::size_t(std::clamp(int(c * c * 10), 0, 9))] += 1;
         }
         INFO("normal " << to_text(normal));
-        INFO("mean cosine, 2/3; 1/2 would be uniform directions, 3/4 cos^2: " << cosine.against(2.0 / 3));
+        INFO("mean cosine, 2/3; 1/2: uniform directions; 3/4: cos^2: " << cosine.against(2.0 / 3));
         CHECK(off(cosine, 2.0 / 3) < 4);
-        // All directions within acos(.02) of the normal fill 2 pi (1 - .02); without that cut 1/pdf has no
-        // variance.
+        // All directions within acos(.02) of the normal fill 2 pi (1 - .02); without this cut-off,
+        // 1/pdf has infinite variance.
         const double directions = 2 * double(pi) * 0.98;
         INFO("mean of 1/pdf, the solid angle of all directions, 2 pi: " << inverse.against(directions));
         CHECK(off(inverse, directions) < 4);
-        INFO("cos^2 is uniform; chi-square of ten bins is above 27.9 once in 1,000 for each of nine normals");
+        INFO("cos^2 must be uniform; chi-square of ten bins exceeds 27.9 once in 1,000 for each of nine "
+             "normals");
         CHECK(chi_square(found, even) < 27.9);
     }
 }
 
 TEST_CASE("the mean of 1/pdf over all bounces is 2 pi") {
-    // Evenly spaced u in place of chance: the sum converges with the root of the step.
+    // Evenly spaced u instead of random numbers: the error of the sum is
+    // proportional to the root of the step.
     double sum = 0;
     const int steps = 400'000;
     const vec3 normal = normals[4];
@@ -78,13 +82,13 @@ TEST_CASE("the mean of 1/pdf over all bounces is 2 pi") {
         const vec3 direction = sample_cosine_hemisphere(normal, {(float(i) + 0.5f) / float(steps), 0.37f});
         sum += 1 / double(cosine_hemisphere_pdf(dot(direction, normal))) / steps;
     }
-    INFO("pi would be a pdf without its pi, 2 pi the right one");
+    INFO("pi: the pdf lacks its 1/pi; 2 pi is correct");
     CHECK(float(sum) == approx(2 * pi, 2e-3f));
 }
 
-TEST_CASE("the declared density of bounces is that of the bounces") {
-    // 8 x 12 cells of equal solid angle around an oblique normal; what each should get is the pdf, summed up.
-    // 95 degrees of freedom: above 163.3 once in 50,000. It sees the azimuth too.
+TEST_CASE("the pdf of bounces is that of the sampled directions") {
+    // 8 x 12 cells of equal solid angle around an oblique normal; the expected count of each is the integral
+    // of the pdf. 95 degrees of freedom: above 163.3 once in 50,000. It also tests the azimuth.
     const int cosines = 8, angles = 12, samples = 60'000;
     for (const vec3 normal : {normals[4], normals[5], normals[2]}) {
         std::vector<double> found(cosines * angles), expected(cosines * angles);
@@ -103,17 +107,16 @@ TEST_CASE("the declared density of bounces is that of the bounces") {
                 }
         double total = 0;
         for (const double cell : expected) total += cell / samples;
-        CHECK_MESSAGE(float(total) == approx(1, 1e-4f),
-                      "the density is to integrate to 1 over the half-sphere");
+        CHECK_MESSAGE(float(total) == approx(1, 1e-4f), "the pdf must integrate to 1 over the hemisphere");
         INFO("normal " << to_text(normal)
-                       << ": a sampler with the density of another one, or an uneven azimuth");
+                       << ": the pdf belongs to another sampler, or the azimuth is not uniform");
         CHECK(chi_square(found, expected) < 163.3);
     }
     CHECK_MESSAGE(cosine_hemisphere_pdf(-0.4f) == 0, "no bounce goes below the surface");
     CHECK(cosine_hemisphere_pdf(0.4f) == approx(0.4f / pi));
 }
 
-TEST_CASE("bounces go as often to the left as to the right") {
+TEST_CASE("bounces are uniform in azimuth") {
     // 24 bins, 23 degrees of freedom: above 62 once in 50,000.
     for (const vec3 normal : normals) {
         std::vector<double> found(24), even(24, 1000);
@@ -127,12 +130,12 @@ TEST_CASE("bounces go as often to the left as to the right") {
         }
         INFO("normal " << to_text(normal));
         CHECK(chi_square(found, even) < 62);
-        INFO("the angle around the normal knows nothing of the height: " << with_height.against(0));
+        INFO("the azimuth must be independent of the height: " << with_height.against(0));
         CHECK(off(with_height, 0) < 4);
     }
 }
 
-TEST_CASE("unit vectors go to all sides alike, uniform bounces to all sides above the surface") {
+TEST_CASE("unit vectors are uniform over the sphere and uniform bounces over the hemisphere") {
     const int samples = 40'000;
     std::array<Mean, 3> mean, square;
     Random random(67);
@@ -160,11 +163,11 @@ TEST_CASE("unit vectors go to all sides alike, uniform bounces to all sides abov
             const int row = std::clamp(int(cosine * 8), 0, 7);
             found[std::size_t(row * 12 + int(azimuth(normal, direction) * 12))] += 1;
         }
-        INFO("normal " << to_text(normal) << ": by the cosine would crowd around the normal");
+        INFO("normal " << to_text(normal) << ": a cosine-weighted sampler would be denser around the normal");
         CHECK(chi_square(found, even) < 163.3);
     }
     CHECK_MESSAGE(hemisphere_pdf(HemisphereSampling::uniform, 0.3f) == approx(1 / (2 * pi)),
-                  "2 pi directions, all alike");
+                  "the hemisphere has a solid angle of 2 pi");
     CHECK(hemisphere_pdf(HemisphereSampling::uniform, -0.3f) == 0);
     CHECK(hemisphere_pdf(HemisphereSampling::cosine, 0.3f) == cosine_hemisphere_pdf(0.3f));
 }

@@ -1,5 +1,6 @@
-// Facts about light on large triangles: what a lamp sheds on a floor is Lambert's formula, whether the floor measures
-// a metre or a kilometre, whichever way its triangles are found and the lamp is looked for.
+// Facts about large triangles: the irradiance of a lamp on a floor follows Lambert's formula.
+// It does so whether the floor measures a metre or a kilometre, for all acceleration
+// structures and sampling strategies.
 #include "08_indirect/radiance.h"
 #include "08_indirect/scene.h"
 #include "common/math/random.h"
@@ -15,12 +16,12 @@ using namespace rt;
 
 namespace {
 
-/// A lamp over a floor of two triangles in a frame that nothing is aligned with, and a ray that looks at the floor.
+/// A lamp over a floor of two triangles, not aligned with any axis, and a ray towards the floor.
 struct Case {
     Scene scene;
     Ray ray;
-    std::vector<vec3> lamp; ///< its corners
-    vec3 position, normal;  ///< of what the ray sees
+    std::vector<vec3> lamp; ///< vertices
+    vec3 position, normal;  ///< of the point that the ray hits
     float floor_size, eye_distance;
 };
 
@@ -77,7 +78,7 @@ Mean seen(Case& made, Accel accel, DirectLighting direct) {
 
 } // namespace
 
-TEST_CASE("a lamp over a floor of any size sheds what Lambert's formula says, found in any way") {
+TEST_CASE("a lamp over a floor of any size causes the irradiance of Lambert's formula") {
     Random random(1760);
     for (int number = 0; number < 24; ++number) {
         Case made = make_case(random, number);
@@ -88,8 +89,9 @@ TEST_CASE("a lamp over a floor of any size sheds what Lambert's formula says, fo
                 const Mean mean = seen(made, accel, direct);
                 INFO("case ", number, ", floor of ", made.floor_size, " m seen from ", made.eye_distance,
                      " m, accel ", int(accel), ", direct ", int(direct), ": ", mean.against(expected));
-                CHECK_MESSAGE(std::abs(mean.z(expected)) < 4,
-                              "too dark: the floor or the lamp shadows itself; its t is off by its own size");
+                CHECK_MESSAGE(
+                    std::abs(mean.z(expected)) < 4,
+                    "too dark: the floor or the lamp shadows itself; its t is off in proportion to its size");
             }
     }
 }

@@ -1,4 +1,4 @@
-// What the checks of lamps share: what a lamp sends to a place, by chance and by Lambert.
+// What the checks of lamps share: the irradiance from lamps, by sampling and by Lambert's formula.
 #pragma once
 
 #include "08_indirect/area_lights.h"
@@ -10,7 +10,7 @@
 
 namespace rt {
 
-/// What the area lights of a scene send to a place: red, in units of pi.
+/// Returns the irradiance from the scene's area lights: red channel, in units of pi.
 inline Mean received(Scene& scene, vec3 position, vec3 normal, int samples = 20'000, std::uint64_t seed = 3) {
     build_bvhs(scene);
     const AreaLights lights = collect_area_lights(scene);
@@ -21,8 +21,9 @@ inline Mean received(Scene& scene, vec3 position, vec3 normal, int samples = 20'
     return mean;
 }
 
-/// Lambert's formula, in units of pi: the share of an evenly bright half-sphere that a polygon fills, cosine
-/// included. 1 / (2 pi) sum theta_i gamma_i . n over its edges; all of it must lie above the surface.
+/// Returns the form factor by Lambert's formula, in units of pi: the cosine-weighted share of a uniformly
+/// bright hemisphere that a polygon fills. It is 1 / (2 pi) sum theta_i gamma_i . n over the edges; the whole
+/// polygon must be above the surface.
 inline double form_factor(const std::vector<vec3>& polygon, vec3 position, vec3 normal) {
     using glm::dvec3;
     double sum = 0;

@@ -1,5 +1,6 @@
-// Facts about lights by themselves: the points that are picked on them.
-// Noisy facts are z-tests with a fixed seed: a right renderer is beyond |z| = 4 in one run of 16,000.
+// Facts about single lights: the points sampled on them.
+// Statistical checks are z-tests with fixed seeds; a correct renderer exceeds |z| =
+// 4 in one run out of 16,000.
 #include "08_indirect/light_sample.h"
 #include "tests/08_indirect/step.h"
 #include "tests/check.h"
@@ -11,7 +12,7 @@
 
 using namespace rt;
 
-TEST_CASE("the points of a light are spread evenly over it") {
+TEST_CASE("the points sampled on a light are spread evenly over it") {
     const Quad quad{{1, 2, -1}, {2, 0.5f, 0.3f}, {0.9f, 1, 1.5f}, 0};
     const LightTriangle triangle{{1, 0, 2}, {3, 0.5f, 1}, {0.5f, 2, -1}};
     const Sphere sphere{{-1, 2, 0.5f}, 2.5f, 0};
@@ -28,31 +29,30 @@ TEST_CASE("the points of a light are spread evenly over it") {
               const vec2 uv = quad_uv(quad, dvec3(p));
               return int(uv.x * 8) * 8 + int(uv.y * 8);
           }) < 120.6);
-    INFO("triangle: u.x for sqrt(u.x) crowds the points at a corner");
-    CHECK(
-        cells(triangle, [&](vec3 p) { // 8 strips each way, each square of them cut in two: 36 + 28 triangles
-            const vec3 b = triangle.b - triangle.a, c = triangle.c - triangle.a, n = cross(b, c);
-            const vec2 uv =
-                8.0f * vec2(dot(cross(p - triangle.a, c), n), dot(cross(b, p - triangle.a), n)) / dot(n, n);
-            const vec2 corner = floor(uv), rest = uv - corner;
-            const int row = int(corner.x + corner.y);
-            return (rest.x + rest.y < 1 ? 0 : 36) + row * (row + 1) / 2 + int(corner.y);
-        }) < 120.6);
+    INFO("triangle: u.x instead of sqrt(u.x) concentrates the points at a vertex");
+    CHECK(cells(triangle, [&](vec3 p) { // 8 strips each way, each square split in two: 36 + 28 triangles
+              const vec3 b = triangle.b - triangle.a, c = triangle.c - triangle.a, n = cross(b, c);
+              const vec2 uv =
+                  8.0f * vec2(dot(cross(p - triangle.a, c), n), dot(cross(b, p - triangle.a), n)) / dot(n, n);
+              const vec2 corner = floor(uv), rest = uv - corner;
+              const int row = int(corner.x + corner.y);
+              return (rest.x + rest.y < 1 ? 0 : 36) + row * (row + 1) / 2 + int(corner.y);
+          }) < 120.6);
     const vec3 axis = normals[5];
-    INFO("sphere: an even angle of latitude crowds the points at the poles");
+    INFO("sphere: a uniform latitude concentrates the points at the poles");
     CHECK(cells(sphere, [&](vec3 p) {
               const vec3 n = (p - sphere.center) / sphere.radius;
               return int((1 + dot(n, axis)) / 2 * 8) * 8 + int(azimuth(axis, n) * 8);
           }) < 120.6);
 }
 
-TEST_CASE("the points of a light lie on it, and face along its normal") {
+TEST_CASE("the points sampled on a light are on it and have its normal") {
     const Quad quad{{1, 2, -1}, {2, 0.5f, 0.3f}, {0.9f, 1, 1.5f}, 0};
     const LightTriangle triangle{{1, 0, 2}, {3, 0.5f, 1}, {0.5f, 2, -1}};
     const Sphere sphere{{-1, 2, 0.5f}, 2.5f, 0};
     const vec3 quad_normal = cross(quad.edge_u, quad.edge_v);
     const vec3 triangle_normal = cross(triangle.b - triangle.a, triangle.c - triangle.a);
-    Mean height; // a uniform direction has the mean cosine 1/2 over a half-sphere
+    Mean height; // uniform directions have the mean cosine 1/2 over a hemisphere
     Random random(19);
     for (int i = 0; i < 3000; ++i) {
         const vec2 u = random.uniform2();

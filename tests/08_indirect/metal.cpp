@@ -1,5 +1,6 @@
-// Facts about metals: where they send a ray, and what gets lost.
-// Noisy facts are z-tests with a fixed seed: a right renderer is beyond |z| = 4 in one run of 16,000.
+// Facts about metals: the directions of scattered rays, and the rays that are lost.
+// Statistical checks are z-tests with fixed seeds; a correct renderer exceeds |z| =
+// 4 in one run out of 16,000.
 #include "08_indirect/metal.h"
 #include "tests/08_indirect/step.h"
 #include "tests/check.h"
@@ -9,7 +10,7 @@
 
 using namespace rt;
 
-TEST_CASE("a metal without fuzz is a mirror") {
+TEST_CASE("a metal with fuzz 0 is a mirror") {
     for (const vec3 normal : normals) {
         const Hit hit = facing({1, 2, 3}, normal);
         const vec3 direction = 1.7f * normalize(make_basis(normal).u - 0.6f * normal);
@@ -22,9 +23,10 @@ TEST_CASE("a metal without fuzz is a mirror") {
     }
 }
 
-TEST_CASE("a fuzzy metal strays evenly around the mirror's direction, and loses what goes into the surface") {
-    // On the ball of radius f around the unit mirrored direction, heights are even: with the cosine c of the
-    // mirrored ray a share (1 - c / f) / 2 lies below the surface.
+TEST_CASE(
+    "a fuzzy metal scatters evenly around the mirror direction, and loses rays that enter the surface") {
+    // On the sphere of radius f around the unit mirror direction, heights are uniform: if the mirror ray has
+    // the cosine c, a share of (1 - c / f) / 2 is below the surface.
     for (const float fuzz : {0.2f, 0.7f, 1.0f})
         for (const float cosine : {0.1f, 0.45f, 0.95f}) {
             const vec3 normal = normals[5];
@@ -46,7 +48,7 @@ TEST_CASE("a fuzzy metal strays evenly around the mirror's direction, and loses 
             }
             const double share_lost = std::max(0.0, (1 - double(cosine / fuzz)) / 2);
             INFO("fuzz " << fuzz << ", cosine " << cosine << ": lost " << lost.against(share_lost)
-                         << "; the direction of the incoming ray is to have unit length first");
+                         << "; the incoming direction must be normalised first");
             CHECK(off(lost, share_lost) < 4);
             CHECK(float(squared.mean()) == approx(fuzz * fuzz, 1e-4f));
             if (share_lost == 0) CHECK(off(height, 0) < 4);

@@ -1,5 +1,6 @@
-// Facts about paths by way of metals, coats and mirrors, and of lamps that they show once more.
-// Noisy facts are z-tests with a fixed seed: a right renderer is beyond |z| = 4 in one run of 16,000.
+// Facts about paths over metals, coats and mirrors, and about the mirror images of lamps.
+// Statistical checks are z-tests with fixed seeds; a correct renderer exceeds |z| =
+// 4 in one run out of 16,000.
 #include "08_indirect/radiance.h"
 #include "08_indirect/scene.h"
 #include "tests/08_indirect/step.h"
@@ -13,7 +14,7 @@
 
 using namespace rt;
 
-TEST_CASE("in a white world a metal shows its albedo, less what its fuzz loses") {
+TEST_CASE("in a white world a metal shows its albedo, minus the loss by its fuzz") {
     for (const float fuzz : {0.0f, 0.3f, 1.0f}) {
         Scene scene;
         scene.sky = {vec3(1), vec3(1)};
@@ -28,7 +29,7 @@ TEST_CASE("in a white world a metal shows its albedo, less what its fuzz loses")
     }
 }
 
-TEST_CASE("a coat of reflectivity k shows k of the mirror and 1 - k of what lies beneath") {
+TEST_CASE("a coat of reflectivity k shows k of the mirror and 1 - k of its base") {
     for (const float k : {0.0f, 0.3f, 0.85f, 1.0f}) {
         Scene once;
         once.sky = {vec3(1), vec3(1)};
@@ -45,7 +46,7 @@ TEST_CASE("a coat of reflectivity k shows k of the mirror and 1 - k of what lies
             const Ray ray{{0, 0, 0}, {0.1f, 0.1f, -1}};
             const Mean single = seen(once, settings, ray), both = seen(twice, settings, ray);
             INFO("k = " << k << ": " << single.against(one)
-                        << "; k counted twice, as a weight and as a chance?");
+                        << "; is k counted twice, as a weight and as a probability?");
             CHECK(off(single, one) < 4);
             INFO("under a second coat: " << both.against(two));
             CHECK(off(both, two) < 4);
@@ -55,14 +56,14 @@ TEST_CASE("a coat of reflectivity k shows k of the mirror and 1 - k of what lies
     }
 }
 
-TEST_CASE("a coated lamp lights its surroundings as if it were 1 - k as bright") {
+TEST_CASE("a coated lamp lights its surroundings like a lamp of 1 - k of its radiance") {
     for (const DirectLighting direct : all_ways) {
         Scene scene;
         const int floor = add(scene.materials, Diffuse{vec3(0.6f)});
         const int coat = add(scene.materials, Coated{0.25f, add(scene.materials, emissive(vec3(8)))});
         scene.planes = {{{0, 0, 0}, {0, 1, 0}, floor}};
         scene.quads = {{{-0.5f, 2, -1}, {1, 0.2f, 0}, {0, 0, 2}, coat}};
-        // The mirror's half of a bounce goes to the sky, which is black, or past the lamp to the floor.
+        // A bounce reflected by the coat reaches the sky, which is black, or passes the lamp to the floor.
         const vec3 position(0.2f, 0, 0.3f);
         const double want = 0.6 * 6 * form_factor(corners_of(scene.quads[0]), position, {0, 1, 0});
         const PathSettings settings{1, true, direct, false};
@@ -72,9 +73,8 @@ TEST_CASE("a coated lamp lights its surroundings as if it were 1 - k as bright")
     }
 }
 
-TEST_CASE("the depth counts mirrors: k of them leave s^k, and one fewer leaves nothing") {
-    // Two facing mirrors one metre apart; the ray climbs by a metre between two bounces and leaves after
-    // three.
+TEST_CASE("the depth counts mirrors: after k mirrors s^k remains, at a smaller depth nothing") {
+    // Two facing mirrors one metre apart; the ray climbs one metre between bounces and leaves after three.
     Scene scene;
     const int mirror = add(scene.materials, Mirror{{0.9f, 0.5f, 1}});
     scene.quads = {{{0, 0, -5}, {0, 3.2f, 0}, {0, 0, 10}, mirror},
@@ -100,7 +100,7 @@ TEST_CASE("the depth counts mirrors: k of them leave s^k, and one fewer leaves n
 }
 
 TEST_CASE("a mirror on the wall doubles a lamp: its caustic is neither lost nor counted twice") {
-    // The mirror wall x = -1 shows the lamp once more, with its tint, at x -> -2 - x.
+    // The mirror wall x = -1 shows an image of the lamp, with the mirror's tint, at x -> -2 - x.
     for (const DirectLighting direct : all_ways) {
         Scene scene;
         const int floor = add(scene.materials, Diffuse{vec3(0.6f)});

@@ -1,5 +1,4 @@
-// What the checks of paths share: what comes back along a ray, and in which ways lamps are
-// looked for.
+// What the checks of paths share: the radiance along a ray, and the strategies of direct lighting.
 #pragma once
 
 #include "08_indirect/radiance.h"
@@ -11,7 +10,7 @@
 
 namespace rt {
 
-/// The red light that comes back along a ray.
+/// Estimates the radiance along a ray, red channel.
 inline Mean seen(Scene& scene, const PathSettings& settings, const Ray& ray, int samples = 20'000,
                  std::uint64_t seed = 3) {
     build_bvhs(scene);
@@ -27,9 +26,9 @@ inline const std::array all_ways{DirectLighting::mis, DirectLighting::light_samp
 
 inline std::string words(const PathSettings& settings) {
     return "depth " + std::to_string(settings.depth) + (settings.indirect ? "" : ", no indirect light") +
-           (settings.direct == DirectLighting::mis              ? ", lights sampled and found"
-            : settings.direct == DirectLighting::light_sampling ? ", lights sampled"
-                                                                : ", lights found by chance") +
+           (settings.direct == DirectLighting::mis              ? ", MIS"
+            : settings.direct == DirectLighting::light_sampling ? ", light sampling"
+                                                                : ", BSDF sampling") +
            (settings.hemisphere_sampling == HemisphereSampling::cosine ? "" : ", uniform bounces") +
            (settings.roulette ? ", roulette" : ", no roulette");
 }

@@ -1,5 +1,6 @@
-// Facts about paths whose answer is known in closed form: furnaces, white worlds, skies and point lights.
-// Noisy facts are z-tests with a fixed seed: a right renderer is beyond |z| = 4 in one run of 16,000.
+// Facts about paths with a closed-form solution: furnaces, white worlds, skies and point lights.
+// Statistical checks are z-tests with fixed seeds; a correct renderer exceeds |z| =
+// 4 in one run out of 16,000.
 #include "08_indirect/radiance.h"
 #include "08_indirect/scene.h"
 #include "tests/08_indirect/step.h"
@@ -14,8 +15,8 @@ using namespace rt;
 
 namespace {
 
-/// A closed room in the shape of a ball of radius 2, evenly bright and evenly grey. From inside, light
-/// sampling has no noise: cos cos' / r^2 is the same for all pairs of points.
+/// Builds a closed room: a ball of radius 2 with uniform emission and albedo. From inside, light sampling has
+/// no noise, because cos cos' / r^2 is the same for all pairs of points.
 Scene ball_room(vec3 albedo, vec3 emission) {
     Scene scene;
     scene.spheres = {{{1, -0.5f, 3}, 2, add(scene.materials, Diffuse{albedo, emission})}};
@@ -27,7 +28,7 @@ const Ray in_ball_room{{0.5f, 0.3f, 2.5f}, normalize(vec3(0.7f, 0.2f, -0.4f))};
 
 } // namespace
 
-TEST_CASE("a closed furnace reads Le (1 - rho^(k+1)) / (1 - rho) after k bounces") {
+TEST_CASE("a closed furnace has radiance Le (1 - rho^(k+1)) / (1 - rho) after k bounces") {
     // Without roulette there is no noise at all.
     const vec3 albedo(0.8f, 0.5f, 0.4f), emission(1, 1, 2.5f);
     const Scene scene = ball_room(albedo, emission);
@@ -40,9 +41,8 @@ TEST_CASE("a closed furnace reads Le (1 - rho^(k+1)) / (1 - rho) after k bounces
             for (int i = 0; i < 30; ++i) {
                 const vec3 got = radiance(scene, lights, settings, in_ball_room, random);
                 INFO(words(settings) << ": expected " << to_text(want) << ", got " << to_text(got));
-                INFO("0 at depth 0: the emission of the first hit; 1.2 times too bright or more: light "
-                     "counted twice; "
-                     "pi times: 1 / pi; one bounce more or less: where the depth is counted");
+                INFO("0 at depth 0: emission of the first hit; 1.2 times too bright or more: light counted "
+                     "twice; off by pi: 1 / pi; one bounce more or less: where the depth is counted");
                 REQUIRE(got == approx(want, 2e-4f));
             }
             if (depth == 5) CHECK(want.x == approx(3.68928f));
@@ -50,14 +50,14 @@ TEST_CASE("a closed furnace reads Le (1 - rho^(k+1)) / (1 - rho) after k bounces
         }
 }
 
-TEST_CASE("roulette leaves a furnace at Le / (1 - rho)") {
+TEST_CASE("roulette keeps a furnace at Le / (1 - rho)") {
     const auto check = [](float rho, int depth, double want) {
         for (const DirectLighting direct : all_ways) {
             Scene scene = ball_room(vec3(rho), vec3(1));
             const PathSettings settings{depth, true, direct, true};
             const Mean mean = seen(scene, settings, in_ball_room);
             INFO("rho " << rho << ", " << words(settings) << ": " << mean.against(want)
-                        << "; too dark: survivors are to be divided by their probability");
+                        << "; too dark: divide survivors by their probability");
             CHECK(off(mean, want) < 4);
         }
     };
@@ -66,7 +66,7 @@ TEST_CASE("roulette leaves a furnace at Le / (1 - rho)") {
     check(0.8f, 5, 3.68928);
 }
 
-TEST_CASE("without indirect light a furnace reads its own light and one bounce") {
+TEST_CASE("without indirect light a furnace has its own emission and one bounce") {
     const Scene scene = ball_room(vec3(0.8f, 0.5f, 0.4f), vec3(1, 2, 3));
     const AreaLights lights = collect_area_lights(scene);
     for (const DirectLighting direct : all_ways)
@@ -81,7 +81,7 @@ TEST_CASE("without indirect light a furnace reads its own light and one bounce")
             }
 }
 
-TEST_CASE("a white ball in a white world cannot be seen") {
+TEST_CASE("a white ball in a white world is invisible") {
     Scene scene;
     scene.sky = {vec3(0.5f, 1, 2), vec3(0.5f, 1, 2)};
     scene.spheres = {{{1, 2, -3}, 2, add(scene.materials, Diffuse{vec3(1)})}};
@@ -93,12 +93,12 @@ TEST_CASE("a white ball in a white world cannot be seen") {
         const Ray ray{{4, -1, 5}, 2.0f * (aim - vec3(4, -1, 5))};
         const vec3 got = radiance(scene, AreaLights{}, {.depth = 1, .roulette = false}, ray, random);
         INFO("got " << to_text(got)
-                    << "; 1 / pi or pi times: the pi of Lambert; 2/3: the cosine is there twice");
+                    << "; off by pi or 1 / pi: the pi of Lambert's law; 2/3: the cosine is used twice");
         REQUIRE(got == approx(vec3(0.5f, 1, 2)));
     }
 }
 
-TEST_CASE("nothing that is white, mirroring or clear can be seen in a white world") {
+TEST_CASE("nothing white, mirroring or clear is visible in a white world") {
     Scene scene;
     scene.sky = {vec3(1), vec3(1)};
     const int white = add(scene.materials, Diffuse{vec3(1)});
@@ -120,24 +120,24 @@ TEST_CASE("nothing that is white, mirroring or clear can be seen in a white worl
         const Ray ray{{0.5f, 3, 8}, aim - vec3(0.5f, 3, 8)};
         const vec3 got = radiance(scene, AreaLights{}, {.depth = 5000, .roulette = false}, ray, random);
         INFO("towards " << to_text(aim) << " came " << to_text(got)
-                        << "; too dark: a random choice weighed by its share as well as picked by it");
+                        << "; too dark: a random choice is weighted by its share and also picked with it");
         REQUIRE(got == approx(vec3(1), 1e-4f));
     }
 }
 
-TEST_CASE("the sky L = cos theta comes back from the ground as 2 rho / 3") {
+TEST_CASE("under the sky L = cos theta the ground has the radiance 2 rho / 3") {
     Scene scene;
     scene.sky = {vec3(-1), vec3(1)}; // L = y
     scene.planes = {{{0, -1, 0}, {0, 1, 0}, add(scene.materials, Diffuse{vec3(0.6f)})}};
     for (const bool with_roulette : {false, true}) {
         const Mean mean = seen(scene, {.depth = 3, .roulette = with_roulette}, {{0, 1, 0}, {1, -1, 2}});
-        INFO(mean.against(0.4) << "; .3 rho / .6: uniform directions with the density of cosine ones");
+        INFO(mean.against(0.4) << "; .3 rho / .6: uniform directions with the pdf of cosine-weighted ones");
         CHECK(off(mean, 0.4) < 4);
     }
 }
 
-TEST_CASE("slopes receive of a graded sky what is in front of them") {
-    // E = pi mix(nadir, zenith, 1/2 + n.y / 3): a furnace sees energy, this sees direction.
+TEST_CASE("an oblique surface receives the light of the sky in front of it") {
+    // E = pi mix(nadir, zenith, 1/2 + n.y / 3): a furnace tests energy, this tests direction.
     for (const vec3 normal : {normalize(vec3(1, 2, -2)), normalize(vec3(-0.4f, -0.2f, 0.7f)), vec3(0, 0, -1),
                               vec3(1, 0, 0), normalize(vec3(0.1f, -1, 0.1f))}) {
         Scene scene;
@@ -151,7 +151,7 @@ TEST_CASE("slopes receive of a graded sky what is in front of them") {
     }
 }
 
-TEST_CASE("a lamp is as bright as its emission, with its own reflection of other light on top") {
+TEST_CASE("a lamp has the radiance of its emission plus what it reflects") {
     Scene scene;
     scene.quads = {{{-1, -1, -4}, {2, 0, 0.5f}, {0, 2, 0}, add(scene.materials, emissive(vec3(17, 12, 7)))}};
     build_bvhs(scene);
@@ -161,7 +161,7 @@ TEST_CASE("a lamp is as bright as its emission, with its own reflection of other
             const vec3 got = radiance(scene, collect_area_lights(scene), {.depth = depth, .direct = direct},
                                       {{0, 0, 0}, {0.1f, 0.1f, -1}}, random);
             CHECK_MESSAGE(got == approx(vec3(17, 12, 7)),
-                          "black: emission is to be added where the eye meets the lamp");
+                          "black: emission must be added where the camera ray hits the lamp");
         }
 }
 
@@ -194,8 +194,8 @@ TEST_CASE("point lights light the first surface as they do in step 02") {
     }
 }
 
-TEST_CASE("pictures and tiles give the walk their albedo, pictures their light too") {
-    // In a white world a flat thing alone shows its albedo, whatever way the bounce goes.
+TEST_CASE("paths use the albedo of textures and checkerboards and the emission of textures") {
+    // In a white world, a single flat object shows its albedo, whatever the direction of the bounce.
     Scene scene;
     scene.sky = {vec3(1), vec3(1)};
     const int picture =
@@ -213,7 +213,7 @@ TEST_CASE("pictures and tiles give the walk their albedo, pictures their light t
         const vec3 card =
             radiance(scene, collect_area_lights(scene), settings, {{0, 0, 0}, {0.1f, 0.1f, -1}}, random);
         REQUIRE(card == approx(vec3(3, 0, 1) + 0.5f * vec3(1, 0.2158605f, 0.0331048f)));
-        // u along x and v along -z, from the plane's point.
+        // u is along x and v along -z, measured from the plane's point.
         const Ray down{{0, 0, 0}, {0.1f * float(i % 20), -1, 0.07f * float(i % 13)}};
         const vec3 tile = evaluate(checkerboard, {2 * down.direction.x, -2 * down.direction.z}).albedo;
         REQUIRE(radiance(tiled, AreaLights{}, settings, down, random) == approx(tile));

@@ -1,5 +1,4 @@
-// Facts about the scenes that step 08 shares with other programs: where things stand, how large they are, and
-// that a rule or a list is followed.
+// Facts about the scenes that step 08 shares with other programs: positions, sizes, and published rules.
 #include "08_indirect/program/animal.h"
 #include "08_indirect/program/cornell.h"
 #include "08_indirect/radiance.h"
@@ -17,7 +16,8 @@ using namespace rt;
 
 namespace {
 
-/// The volume within faces that look outward, from Gauss: a third of the sum of position . normal times area.
+/// Returns the volume enclosed by outward faces, by Gauss's theorem: the sum of
+/// position . normal times area / 3.
 double volume(std::span<const Quad> faces) {
     double sum = 0;
     for (const Quad& face : faces) sum += double(dot(face.corner, cross(face.edge_u, face.edge_v))) / 3;
@@ -44,11 +44,11 @@ std::vector<Sphere> small_balls(const Scene& scene) {
 
 } // namespace
 
-TEST_CASE("a box is closed, faces outward and stands where it is turned and moved to") {
+TEST_CASE("a box is closed, faces outward and is rotated and translated correctly") {
     Scene scene;
     add_box(scene, {2, 3, 5}, 30, {10, 20, 30}, 7);
     REQUIRE(scene.quads.size() == 6);
-    INFO("negative: it faces inward; another size: a face is missing or doubled");
+    INFO("negative: it faces inward; a different size: a face is missing or duplicated");
     CHECK(float(volume(scene.quads)) == approx(30, 1e-4f));
     vec3 sum(0);
     float surface = 0;
@@ -57,10 +57,9 @@ TEST_CASE("a box is closed, faces outward and stands where it is turned and move
         surface += area(face);
         CHECK(face.material == 7);
     }
-    CHECK_MESSAGE(sum == approx(vec3(0), 1e-4f),
-                  "the areas of a closed surface add up to nothing, as vectors");
+    CHECK_MESSAGE(sum == approx(vec3(0), 1e-4f), "the area vectors of a closed surface must add up to zero");
     CHECK(surface == approx(62));
-    // From +z towards +x: the far end of the z edge goes to (5 sin 30, 0, 5 cos 30).
+    // Rotated from +z towards +x: the far end of the z edge moves to (5 sin 30, 0, 5 cos 30).
     CHECK(has_corner(scene.quads, {10 + 2.5f, 20, 30 + 5 * std::sqrt(0.75f)}));
     CHECK(has_corner(scene.quads, {10 + 2 * std::sqrt(0.75f), 23, 30 - 1}));
 }
@@ -82,15 +81,15 @@ TEST_CASE("the Cornell box has the published walls, lamp and boxes") {
     CHECK(emission(scene, lamp.material) == vec3(15));
     CHECK(float(volume(all.subspan(6, 6))) == approx(165 * 165 * 330, 1e-4f));
     CHECK(float(volume(all.subspan(12, 6))) == approx(165 * 165 * 165, 1e-4f));
-    // Corners that the book's turn and move give: cos 15 = .9659258, sin 15 = .2588190, cos 18 = .9510565,
-    // sin 18 = .3090170.
+    // Corners by the book's rotation and translation: cos 15 = .9659258, sin 15 = .2588190, cos 18 =
+    // .9510565, sin 18 = .3090170.
     CHECK(has_corner(all.subspan(6, 6), {265 + 165 * 0.9659258f, 330, 295 - 165 * 0.2588190f}));
     CHECK(has_corner(all.subspan(6, 6), {265 + 165 * 0.2588190f, 0, 295 + 165 * 0.9659258f}));
     CHECK(has_corner(all.subspan(12, 6), {130 + 165 * 0.9510565f, 165, 65 + 165 * 0.3090170f}));
     CHECK(has_corner(all.subspan(12, 6), {130 - 165 * 0.3090170f, 0, 65 + 165 * 0.9510565f}));
 }
 
-TEST_CASE("the Cornell box is closed but for its front, and green is on the left of its picture") {
+TEST_CASE("the Cornell box is closed except for its front and green is on the left of its picture") {
     Scene scene;
     const LookAt look_at = cornell(scene);
     build_bvhs(scene);
@@ -105,7 +104,8 @@ TEST_CASE("the Cornell box is closed but for its front, and green is on the left
         const bool hit = intersect(scene, ray).has_value();
         INFO("towards " << to_text(ray.direction));
         REQUIRE_MESSAGE((hit || open), "light leaks out of the box");
-        if (front.y > 340 && open) REQUIRE_MESSAGE(!hit, "nothing stands in the front above the boxes");
+        if (front.y > 340 && open)
+            REQUIRE_MESSAGE(!hit, "nothing may be in the front opening above the boxes");
     }
     CHECK(through_the_front > 1000);
     const Camera camera = make_camera(look_at, 300, 300);
@@ -133,8 +133,8 @@ TEST_CASE("the weekend's balls follow the published rule") {
     CHECK(weekend_lens.focus_distance == 10);
     const std::vector<Sphere> balls = small_balls(scene);
     REQUIRE(scene.spheres.size() == balls.size() + 4);
-    CHECK_MESSAGE(balls.size() <= 22 * 22, "one a cell");
-    CHECK_MESSAGE(balls.size() >= 22 * 22 - 6, "at most the cells around (4, .2, 0) stay empty");
+    CHECK_MESSAGE(balls.size() <= 22 * 22, "at most one per cell");
+    CHECK_MESSAGE(balls.size() >= 22 * 22 - 6, "only cells around (4, .2, 0) may be empty");
     std::vector<int> cells;
     for (const Sphere& ball : balls) {
         const float x = std::floor(ball.center.x), z = std::floor(ball.center.z);
@@ -156,9 +156,9 @@ TEST_CASE("the weekend's balls follow the published rule") {
     for (const vec3 center : {vec3(0, 1, 0), vec3(-4, 1, 0), vec3(4, 1, 0)}) CHECK(count(1, center) == 1);
 }
 
-TEST_CASE(
-    "of the weekend's small balls 80 in 100 are matte, 15 metal and 5 glass, in the published colours") {
-    // Of 484 draws one in 16,000 lies beyond four standard deviations.
+TEST_CASE("of the weekend's small balls 80 percent are matte, 15 metal and 5 glass, with the published "
+          "distribution of colours") {
+    // With 484 draws, a share deviates by more than four standard deviations in one run out of 16,000.
     Scene scene;
     weekend(scene);
     std::array<double, 3> found{};
@@ -216,13 +216,13 @@ TEST_CASE("a list of balls becomes a scene with the same balls") {
     CHECK(std::get<Dielectric>(material(2)).interior.ior == 1.7f);
 }
 
-TEST_CASE("the cat's room is closed, and the cat is in it") {
+TEST_CASE("the cat's room is closed and the cat is inside") {
     Scene scene;
     const LookAt look_at = animal(scene);
     build_bvhs(scene);
     CHECK(scene.mesh.triangles.size() >= 4000);
     const Aabb cat = bounds(scene.mesh);
-    CHECK_MESSAGE(std::abs(cat.min.y) < 0.01f, "it sits on the floor");
+    CHECK_MESSAGE(std::abs(cat.min.y) < 0.01f, "the cat must sit on the floor");
     Random random(2);
     for (int i = 0; i < 20'000; ++i) {
         const Ray ray{look_at.from, sample_uniform_sphere(random.uniform2())};

@@ -1,6 +1,6 @@
-// Facts about light that has been around, in scenes without a closed form: two ways to look for the same
-// light agree, and the way light goes can be turned round. z-tests with a fixed seed: a right renderer is
-// beyond |z| = 4 in one run of 16,000.
+// Facts about light transport in scenes without a closed form.
+// Different strategies agree, and reversed paths carry the same light. These are z-tests with fixed seeds; a
+// correct renderer exceeds |z| = 4 in one run out of 16,000.
 #include "01_spheres/program/counted.h"
 #include "08_indirect/area_lights.h"
 #include "08_indirect/hemisphere.h"
@@ -20,7 +20,7 @@ using namespace rt;
 
 namespace {
 
-/// How many standard errors two means of different random numbers lie apart.
+/// Returns the difference of two independent means in standard errors.
 double apart(const Mean& a, const Mean& b) {
     const double error = std::hypot(a.standard_error(), b.standard_error());
     const double difference = std::abs(a.mean() - b.mean());
@@ -50,8 +50,8 @@ void check_same(const Channels& a, const Channels& b) {
     }
 }
 
-/// Nothing in it stands straight: a floor and a wall, a quad, a ball and a triangle that glow, and a board
-/// between.
+/// Builds a scene without any axis-aligned surface: a floor and a wall; an emissive quad, ball and triangle;
+/// and a board between them.
 Scene oblique_scene() {
     Scene scene;
     scene.sky = {{0.1f, 0.05f, 0}, {0.1f, 0.2f, 0.4f}};
@@ -71,13 +71,13 @@ Scene oblique_scene() {
                  add(scene.materials, emissive(vec3(5, 1, 1))));
     return scene;
 }
-const Ray into_it{{0.5f, 2.5f, 6}, {-0.6f, -2, -5.8f}}; // meets the floor under the board
+const Ray into_it{{0.5f, 2.5f, 6}, {-0.6f, -2, -5.8f}}; // hits the floor under the board
 
 } // namespace
 
-TEST_CASE("however lamps are looked for and bounces are spread, the picture is the same") {
-    // The best single test: an error in a cosine, a distance, an area, a density or a pi is in one of them
-    // alone.
+TEST_CASE("all strategies of direct lighting and hemisphere sampling give the same picture") {
+    // The most sensitive test: an error in a cosine, a distance, an area, a pdf or a factor of pi affects
+    // only one of the strategies.
     Scene scene = oblique_scene();
     build_bvhs(scene);
     for (const int depth : {1, 2, 5})
@@ -91,13 +91,13 @@ TEST_CASE("however lamps are looked for and bounces are spread, the picture is t
                     const Channels other = channels_seen(scene, settings, into_it, 100'000, 1);
                     INFO("depth " << depth << ", indirect light " << std::string(indirect ? "on" : "off")
                                   << ": " << words(settings)
-                                  << ", then by chance and the cosine; too bright: counted twice");
+                                  << ", then by BSDF and cosine sampling; too bright: counted twice");
                     check_same(other, chance);
                 }
         }
 }
 
-TEST_CASE("with mirrors, metal and glass, too, all ways agree: no caustic is lost or counted twice") {
+TEST_CASE("with mirrors, metal and glass, all strategies agree: no caustic is lost or counted twice") {
     Scene scene = oblique_scene();
     const int glass = add(scene.materials, Dielectric{{1.5f, {0.5f, 0.1f, 0.3f}}});
     const int coat = add(scene.materials, Coated{0.6f, 0, {0.9f, 0.8f, 0.7f}});
@@ -114,26 +114,26 @@ TEST_CASE("with mirrors, metal and glass, too, all ways agree: no caustic is los
         for (const DirectLighting direct : {DirectLighting::mis, DirectLighting::light_sampling}) {
             const PathSettings settings{depth, true, direct, true};
             const Channels asked = channels_seen(scene, settings, into_it, 100'000, 3);
-            INFO("depth " << depth << ": " << words(settings) << ", then by chance");
+            INFO("depth " << depth << ": " << words(settings) << ", then by BSDF sampling");
             check_same(asked, chance);
         }
     }
 }
 
-TEST_CASE("roulette leaves the picture as it is") {
+TEST_CASE("roulette leaves the picture unchanged") {
     Scene scene = oblique_scene();
     build_bvhs(scene);
     for (const DirectLighting direct : all_ways) {
         const Channels without = channels_seen(scene, {12, true, direct, false}, into_it, 50'000, 5);
         const Channels with = channels_seen(scene, {12, true, direct, true}, into_it, 50'000, 6);
-        INFO("way " << int(direct)
-                    << ": first without, then with roulette; too dark: survivors are to be divided by "
-                       "their chance");
+        INFO("strategy "
+             << int(direct)
+             << ": first without, then with roulette; too dark: divide survivors by their probability");
         check_same(without, with);
     }
 }
 
-TEST_CASE("roulette saves work: in a dim closed room most paths end long before the depth does") {
+TEST_CASE("roulette saves work: in a dim closed room most paths end long before the maximum depth") {
     Counted<Scene> scene;
     scene.spheres = {{{1, 2, 3}, 2, add(scene.materials, Diffuse{vec3(0.4f), vec3(1)})}};
     build_bvhs(scene);
@@ -149,10 +149,10 @@ TEST_CASE("roulette saves work: in a dim closed room most paths end long before 
     CHECK(played < 0.3 * full);
 }
 
-TEST_CASE("light and eye change places: between matte surfaces the same light arrives") {
-    // A point light at one place, and all that arrives at another from all directions: G(p, q) = G(q, p).
-    // Both stand beside surfaces of different colour, so that a cosine too many or too few weighs
-    // differently.
+TEST_CASE("camera and light can be exchanged: between matte surfaces the same light arrives") {
+    // A point light at one point, and all light that arrives at another from all directions: G(p, q)
+    // = G(q, p). The points are beside surfaces of different colour, so that a missing or extra
+    // cosine has different effects.
     Scene scene = oblique_scene();
     scene.sky = {};
     for (Material& material : scene.materials)
@@ -171,13 +171,13 @@ TEST_CASE("light and eye change places: between matte surfaces the same light ar
             }
             return mean;
         };
-        INFO("depth " << depth << ": first the eye at p and the light at q, then the other way round");
+        INFO("depth " << depth << ": first the camera at p and the light at q, then exchanged");
         check_same(arriving(p, q, 7), arriving(q, p, 8));
     }
 }
 
-TEST_CASE("squares see each other by .1998249 across a cube and by .2000438 around its edge") {
-    // The means over a whole square. Bounces find the walls of a cube; the one that glows is seen that often.
+TEST_CASE("opposite faces of a cube have a form factor of .1998249 and adjacent ones of .2000438") {
+    // The means over a whole square. Bounces from it hit the emissive face with this probability.
     Mean across, around, sampled;
     for (const bool opposite : {true, false}) {
         Scene scene;
@@ -200,19 +200,19 @@ TEST_CASE("squares see each other by .1998249 across a cube and by .2000438 arou
                         .x));
         }
     }
-    INFO("across, by chance: " << across.against(0.1998249));
+    INFO("opposite, BSDF sampling: " << across.against(0.1998249));
     CHECK(off(across, 0.1998249) < 4);
-    INFO("across, lights sampled: " << sampled.against(0.1998249));
+    INFO("opposite, light sampling: " << sampled.against(0.1998249));
     CHECK(off(sampled, 0.1998249) < 4);
-    INFO("around the edge, by chance: " << around.against(0.2000438));
+    INFO("adjacent, BSDF sampling: " << around.against(0.2000438));
     CHECK(off(around, 0.2000438) < 4);
     const double cube = across.mean() + 4 * around.mean();
     const double error = std::hypot(across.standard_error(), 4 * around.standard_error());
-    INFO("the one across and the four around are all there is: " << cube << " +- " << error);
+    INFO("the opposite and the four adjacent faces are the whole cube: " << cube << " +- " << error);
     CHECK(std::abs(cube - 1) < 4 * error);
 }
 
-TEST_CASE("A1 F12 = A2 F21 for lamps of different size") {
+TEST_CASE("A1 F12 = A2 F21 for lamps of different sizes") {
     const Quad small{{-0.4f, 0.2f, 0.1f}, {0.7f, 0.1f, 0}, {0, 0.2f, 0.6f}, 0};
     const Quad large{{-1.5f, 2, -1}, {2.6f, 0.4f, 0.2f}, {0.1f, 0.5f, 2.4f}, 0};
     const auto power = [](const Quad& lamp, const Quad& receiver, std::uint64_t seed) {
@@ -234,14 +234,14 @@ TEST_CASE("A1 F12 = A2 F21 for lamps of different size") {
         return mean;
     };
     const Mean up = power(large, small, 10), down = power(small, large, 11);
-    INFO(up.mean() << " W reach the small one, " << down.mean()
+    INFO(up.mean() << " W reach the small square, " << down.mean()
                    << " W the large one, z = " << apart(up, down));
     CHECK(apart(up, down) < 4);
 }
 
-TEST_CASE(
-    "inside a closed box whose walls glow and reflect half, everything is twice as bright as they glow") {
-    // Near an edge light sampling has rare, large values: one false alarm in 16,000 holds only loosely here.
+TEST_CASE("in a closed box of emission Le whose walls reflect half of the light, the radiance is 2 Le") {
+    // Near an edge, light sampling has rare large values, so one false alarm in
+    // 16,000 is only approximate here.
     Scene scene;
     const int wall = add(scene.materials, Diffuse{vec3(0.5f), vec3(1)});
     const std::array<vec3, 8> v{vec3(0, 0, 0),    {2, 0.3f, 0}, {2.2f, 1.5f, 0.2f}, {0.1f, 1, 0},
@@ -264,7 +264,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("no path is negative or not a number, whatever the world is made of") {
+TEST_CASE("no path is negative or NaN in any scene") {
     int worst = 0;
     for (std::uint64_t seed = 0; seed < 400; ++seed) {
         Random random(seed + 1000);
@@ -288,7 +288,7 @@ TEST_CASE("no path is negative or not a number, whatever the world is made of") 
             add(scene.materials, Metal{colour(), random.uniform()});
         }
         const auto material = [&] { return int(random.uniform() * 28); };
-        const auto dull = [&] { return 1 + 7 * int(random.uniform() * 4); }; // a plane must not glow
+        const auto dull = [&] { return 1 + 7 * int(random.uniform() * 4); }; // planes must not be emissive
         for (int i = 0; i < 4; ++i) {
             const vec3 center = cube(2);
             scene.spheres.push_back({center, 0.05f + random.uniform(), material()});
@@ -300,7 +300,7 @@ TEST_CASE("no path is negative or not a number, whatever the world is made of") 
         scene.planes = {{{0, -2, 0}, {0, 1, 0}, dull()}};
         scene.lights = {{cube(2), 10.0f * colour()}};
         if (seed % 4 == 0) scene.spheres.push_back({{0, 0, 0}, 6, 0}); // closed
-        if (seed % 5 == 0) scene.quads.push_back(scene.quads[0]);      // twice in the same place
+        if (seed % 5 == 0) scene.quads.push_back(scene.quads[0]);      // duplicate
         build_bvhs(scene);
         const AreaLights lights = collect_area_lights(scene);
         for (int i = 0; i < 120; ++i) {
@@ -312,16 +312,17 @@ TEST_CASE("no path is negative or not a number, whatever the world is made of") 
             if (good) continue;
             INFO("scene " << seed << ", path " << i << " from " << to_text(from) << " towards "
                           << to_text(direction) << ": " << to_text(got));
-            CHECK_MESSAGE(good,
-                          "a division by a distance, a cosine or an area of 0, or a root of less than 0");
+            CHECK_MESSAGE(
+                good, "a division by a distance, a cosine or an area of 0, or the root of a negative number");
             if (++worst > 3) return;
         }
     }
     CHECK(worst == 0);
 }
 
-TEST_CASE("light in a coloured medium is dimmed on its way, whether lamps are sampled or found") {
-    // A lamp and a matte plate in a ball of coloured glass of index 1, and the eye outside.
+TEST_CASE(
+    "light in a coloured medium is absorbed along its path whether by light sampling or BSDF sampling") {
+    // A lamp and a matte plate in a ball of coloured glass of index 1, and the camera outside.
     Scene scene;
     const int lamp = add(scene.materials, emissive(vec3(5)));
     const int plate = add(scene.materials, Diffuse{vec3(0.8f)});
@@ -334,6 +335,7 @@ TEST_CASE("light in a coloured medium is dimmed on its way, whether lamps are sa
         channels_seen(scene, {2, true, DirectLighting::light_sampling, false}, ray, 60'000, 13);
     const Channels chance =
         channels_seen(scene, {2, true, DirectLighting::bsdf_sampling, false}, ray, 120'000, 14);
-    INFO("first sampled, then by chance; the first brighter: the shadow ray forgets Beer and Lambert");
+    INFO("first light sampling, then BSDF sampling; the first is brighter: the shadow ray ignores "
+         "Beer-Lambert absorption");
     check_same(asked, chance);
 }

@@ -1,5 +1,4 @@
-// What the checks of bounces, metals and lamps share: normals of all kinds, and how far means and counts
-// are from what they should be.
+// What the checks of bounces, metals and lamps share: normals, and the deviation of means and counts.
 #pragma once
 
 #include "01_spheres/hit.h"
@@ -23,17 +22,17 @@ inline const std::array<vec3, 9> normals{vec3(0, 1, 0),
                                          normalize(vec3(1e-4f, -2e-4f, -1)),
                                          normalize(vec3(3, -1, -1e-6f))};
 
-/// How many standard errors the mean is off; a difference within rounding is none.
+/// Returns by how many standard errors the mean deviates; 0 if the difference is within rounding.
 inline double off(const Mean& mean, double want) {
     return std::abs(mean.mean() - want) <= 1e-5 * std::max(1.0, std::abs(want)) ? 0 : std::abs(mean.z(want));
 }
 
-/// A place that receives light.
+/// Returns a hit at a point that receives light.
 inline Hit facing(vec3 position, vec3 normal) {
     return {0, position, normal, normal, vec2(0), 0, false, position_error(position, position)};
 }
 
-/// Pearson's chi-square of found counts against expected ones.
+/// Returns Pearson's chi-square of observed and expected counts.
 inline double chi_square(const std::vector<double>& found, const std::vector<double>& expected) {
     double sum = 0;
     for (std::size_t i = 0; i < found.size(); ++i)
@@ -41,7 +40,7 @@ inline double chi_square(const std::vector<double>& found, const std::vector<dou
     return sum;
 }
 
-/// An angle around `normal`, in [0, 1), from a direction at right angles to it that this check picks itself.
+/// Returns the azimuth around `normal` in [0, 1), measured from a perpendicular direction chosen here.
 inline double azimuth(vec3 normal, vec3 direction) {
     using glm::dvec3;
     const dvec3 n(normal);

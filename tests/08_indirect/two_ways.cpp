@@ -1,6 +1,6 @@
-// Facts about paths that look for lamps in two ways, lamps in meshes too: the light is the same, and both together are
-// less noisy.
-// Noisy facts are z-tests with a fixed seed: a right renderer is beyond |z| = 4 in one run of 16,000.
+// Facts about direct lighting by light sampling and BSDF sampling, also for lamps in meshes.
+// Both give the same light, and their combination has less noise. Statistical checks are z-tests with fixed
+// seeds; a correct renderer exceeds |z| = 4 in one run out of 16,000.
 #include "08_indirect/radiance.h"
 #include "08_indirect/scene.h"
 #include "common/model/obj_file.h"
@@ -19,8 +19,8 @@
 
 using namespace rt;
 
-TEST_CASE("near a large lamp, however it is looked for, the same light arrives") {
-    // A floor point close below a lamp that fills much of its sky: quad, triangle or ball.
+TEST_CASE("near a large lamp all strategies give the same light") {
+    // A floor point closely below a lamp that fills much of its hemisphere: quad, triangle or ball.
     const vec3 position(0.2f, 0, 0.3f), up(0, 1, 0);
     const std::vector<vec3> triangle{{-2, 0.3f, -1}, {2.5f, 0.5f, -1.5f}, {0.2f, 0.4f, 3}};
     for (int kind = 0; kind < 3; ++kind) {
@@ -49,15 +49,16 @@ TEST_CASE("near a large lamp, however it is looked for, the same light arrives")
                                  : kind == 1 ? "triangle, "
                                              : "ball, ")
                      << words(settings) << ": " << mean.against(0.6 * 3 * factor));
-                INFO("with both ways too bright or too dark: their shares do not add up, or one has "
-                     "another's density");
+                INFO("too bright or too dark with MIS: the weights do not add up, or one strategy has the "
+                     "pdf of the other");
                 CHECK(off(mean, 0.6 * 3 * factor) < 4);
             }
     }
 }
 
-TEST_CASE("both ways together are less noisy than either, near a lamp and far from it") {
-    // A large lamp just above the floor, where asking is bad, and a small one far above, where chance is bad.
+TEST_CASE("MIS has less noise than either strategy both near a lamp and far from it") {
+    // A large lamp just above the floor, where light sampling is noisy, and a small one far above,
+    // where BSDF sampling is noisy.
     const auto variance = [](bool both, DirectLighting direct) {
         Scene scene;
         scene.planes = {{{0, 0, 0}, {0, 1, 0}, add(scene.materials, Diffuse{vec3(0.6f)})}};
@@ -75,14 +76,15 @@ TEST_CASE("both ways together are less noisy than either, near a lamp and far fr
         const double mis = variance(both, DirectLighting::mis);
         const double lights = variance(both, DirectLighting::light_sampling),
                      bounces = variance(both, DirectLighting::bsdf_sampling);
-        INFO("variance " << mis << " with both, " << lights << " asked, " << bounces << " by chance");
+        INFO("variance " << mis << " with MIS, " << lights << " by light sampling, " << bounces
+                         << " by BSDF sampling");
         CHECK(mis < 0.9 * lights);
         if (both) CHECK(mis < 0.9 * bounces);
     }
 }
 
-TEST_CASE("found by chance, a bright ball sends as much as when it is asked") {
-    // The lamp is small and bright: what clamps its rare, large samples loses their light.
+TEST_CASE("a bright ball gives the same light by BSDF sampling as by light sampling") {
+    // The lamp is small and bright: clamping its rare, large samples would lose light.
     for (const DirectLighting direct : all_ways) {
         Scene scene;
         const int floor = add(scene.materials, Diffuse{vec3(0.6f)});
@@ -102,7 +104,7 @@ TEST_CASE("triangles with Ke in a mesh's MTL are area lights on both sides") {
     std::filesystem::create_directories(folder);
     std::ofstream(folder / "box.mtl") << "newmtl glow\nKd .5 .5 .5\nKe 1 2 0\n"
                                          "newmtl lamp\nKd 0 0 0\nKe 6 6 6\nnewmtl grey\nKd .6 .6 .6\n";
-    // A box 2 x 1 x 3 that is closed, and by itself a lamp over a floor.
+    // A closed box of 2 x 1 x 3; and, separately, a lamp over a floor.
     std::ofstream(folder / "box.obj")
         << "mtllib box.mtl\nv 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nv 0 0 3\nv 2 0 3\nv 2 1 3\nv 0 1 3\n"
            "usemtl glow\nf 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 4 8 7 3\nf 1 5 8 4\nf 2 3 7 6\n";
@@ -117,7 +119,7 @@ TEST_CASE("triangles with Ke in a mesh's MTL are area lights on both sides") {
     add_model(closed, box, 30);
     build_bvhs(closed);
     const AreaLights lights = collect_area_lights(closed);
-    CHECK_MESSAGE(lights.lights.size() == 12, "every triangle that glows is a light of its own");
+    CHECK_MESSAGE(lights.lights.size() == 12, "every emissive triangle must be a separate light");
     Random random(61);
     const Ray inside{{0.7f, 0.4f, 1.2f}, {0.3f, -0.5f, 0.2f}};
     const vec3 chance =
@@ -125,7 +127,7 @@ TEST_CASE("triangles with Ke in a mesh's MTL are area lights on both sides") {
     INFO("Ke 1, Kd .5, closed: Ke / (1 - Kd) = 2");
     CHECK(chance == approx(vec3(2, 4, 0), 1e-4f));
     const Mean once = seen(closed, {1, true, DirectLighting::light_sampling, false}, inside);
-    INFO("lights sampled, one bounce: " << once.against(1.5));
+    INFO("light sampling, one bounce: " << once.against(1.5));
     CHECK(off(once, 1.5) < 4);
 
     Scene open;

@@ -1,4 +1,4 @@
-// How the wide tree is built: full, shallow, and the same on any number of threads.
+// Facts about the construction of the wide tree: full nodes, low depth, and no dependence on threads.
 #include "accel/build.h"
 #include "common/util/parallel.h"
 #include "tests/check.h"
@@ -11,7 +11,7 @@ using namespace rt::accel;
 
 namespace {
 
-/// Holds the indices of its primitives and nothing else.
+/// A leaf block that holds only the indices of its primitives.
 struct alignas(WideNode) IndexBlock {
     std::array<std::uint32_t, simd_width> primitive{};
     int count = 0;
@@ -43,7 +43,8 @@ bool is_empty(const Aabb& box) {
     return box.min.x > box.max.x;
 }
 
-/// What holds for every tree: each primitive in one lane of one block, boxes around all below them.
+/// Checks the invariants of every tree: each primitive in one lane of one block,
+/// boxes enclose all below them.
 void check_wide_tree(const std::vector<Aabb>& boxes) {
     const auto tree = tree_of(boxes);
     std::vector<int> times(boxes.size());
@@ -77,16 +78,17 @@ void check_wide_tree(const std::vector<Aabb>& boxes) {
         return;
     }
     visit(tree.root, 1);
-    CHECK_MESSAGE(std::ranges::count(times, 1) == std::ptrdiff_t(times.size()),
-                  "each primitive is in exactly one lane: an off-by-one in a split loses or repeats some");
-    CHECK_MESSAGE(too_small == 0, "each box holds all that is below it");
-    CHECK_MESSAGE(single_child == 0, "a node with one child only costs time");
+    CHECK_MESSAGE(
+        std::ranges::count(times, 1) == std::ptrdiff_t(times.size()),
+        "each primitive must be in exactly one lane: an off-by-one error in a split loses or repeats some");
+    CHECK_MESSAGE(too_small == 0, "each box must enclose everything below it");
+    CHECK_MESSAGE(single_child == 0, "a node with only one child wastes time");
     CHECK_MESSAGE(deepest <= int(max_depth), "a traversal of this tree overflows its stack");
 }
 
 } // namespace
 
-TEST_CASE("every primitive is in one lane of the wide tree, and every box holds what is below it") {
+TEST_CASE("every primitive is in one lane of the wide tree, and every box encloses everything below it") {
     check_wide_tree({});
     check_wide_tree(boxes_of(random_triangles(5000, 0.1f)));
     check_wide_tree(boxes_of(flat_grid(30)));
@@ -96,7 +98,7 @@ TEST_CASE("every primitive is in one lane of the wide tree, and every box holds 
     check_wide_tree(std::vector<Aabb>(300, Aabb{vec3(7), vec3(7)}));
 }
 
-TEST_CASE("the wide tree stays shallow where each split takes off only a few, and at the ends of float") {
+TEST_CASE("the wide tree stays shallow where each split separates only a few and at the limits of float") {
     check_wide_tree(exponential_chain(-60, 60, {1, 1, 1}));
     check_wide_tree(exponential_chain(-120, 120, {1, 0.5f, -0.3f}));
     std::vector<Aabb> nested;
@@ -107,7 +109,7 @@ TEST_CASE("the wide tree stays shallow where each split takes off only a few, an
     check_wide_tree(huge);
 }
 
-TEST_CASE("the wide tree is the same on one thread and on many") {
+TEST_CASE("the wide tree is the same on one thread and on many threads") {
     const auto boxes = boxes_of(random_triangles(60000, 0.02f));
     set_thread_count(1);
     const auto one = tree_of(boxes);
@@ -134,15 +136,15 @@ TEST_CASE("the wide tree is the same on one thread and on many") {
     CHECK(different == 0);
 }
 
-TEST_CASE("nodes are nearly full: the binary tree is collapsed in the cheapest way") {
+TEST_CASE("nodes are nearly full because the binary tree is collapsed at the lowest cost") {
     const auto tree = tree_of(boxes_of(random_triangles(20000, 0.02f)));
     const double children = double(tree.node_count + tree.leaf_count - 1) / double(tree.node_count);
     const double primitives = 20000 / double(tree.leaf_count);
     INFO(children, " children per node, ", primitives, " primitives per block");
     CHECK_MESSAGE(children > 0.625 * simd_width,
-                  "half of that: nodes are filled from the top without the cost of what is left below");
+                  "half of that: nodes are filled from the top without the cost of the subtrees below");
     CHECK_MESSAGE(primitives > 0.625 * simd_width,
-                  "half of that: the heuristic counts primitives, where it should count blocks");
+                  "half of that: the heuristic counts primitives instead of blocks");
 }
 
 TEST_CASE("cost of collapsing: a subtree of two leaves takes two slots or one node") {
@@ -154,22 +156,22 @@ TEST_CASE("cost of collapsing: a subtree of two leaves takes two slots or one no
     CHECK(node.nodes == 1);
     for (int slots = 2; slots < simd_width; ++slots) {
         CHECK(parent.cost[slots - 1] == 3 + 12);
-        CHECK_MESSAGE(parent.nodes[slots - 1] == 0, "both leaves find room in the node above");
+        CHECK_MESSAGE(parent.nodes[slots - 1] == 0, "both leaves fit into the parent node");
     }
     CHECK(node.left_slots[1] == 1);
     BinaryNode node_above{{vec3(0), vec3(4)}}; // 48
     const CollapseCost above = collapse_cost(node_above, parent, small);
     CHECK(above.cost[0] == 3 + 12 + 3 + 48);
     CHECK(above.nodes[0] == 1);
-    CHECK_MESSAGE(above.cost[1] == 3 + 12 + 27 + 3, "in two slots one of them must be a node of its own");
+    CHECK_MESSAGE(above.cost[1] == 3 + 12 + 27 + 3, "with two slots, one of the children must be a node");
     CHECK(above.nodes[1] == 1);
     CHECK(above.cost[2] == 3 + 12 + 3);
     CHECK(above.nodes[2] == 0);
     CHECK(above.leaves[2] == 3);
 }
 
-TEST_CASE("cost of collapsing: primitives that fit into one block become one, unless two are cheaper and "
-          "find room") {
+TEST_CASE("cost of collapsing: primitives that fit into one block become one block, unless two blocks are "
+          "cheaper and fit") {
     const auto leaf = [](float area) { return CollapseCost{broadcast(area), IntN{}, IntN{} + 1}; };
     BinaryNode near{{vec3(0), vec3(3)}, nullptr, 0, simd_width}; // 27
     const CollapseCost together = collapse_cost(near, leaf(20), leaf(10));
@@ -180,7 +182,7 @@ TEST_CASE("cost of collapsing: primitives that fit into one block become one, un
     }
     BinaryNode far{{vec3(0), vec3(3)}, nullptr, 0, simd_width};
     const CollapseCost apart = collapse_cost(far, leaf(12), leaf(3));
-    CHECK_MESSAGE(apart.cost[0] == 27, "in one slot they are one block");
+    CHECK_MESSAGE(apart.cost[0] == 27, "with one slot they are one block");
     CHECK(apart.leaves[0] == 1);
     CHECK(apart.cost[1] == 12 + 3);
     CHECK(apart.leaves[1] == 2);

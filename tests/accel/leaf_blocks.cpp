@@ -1,4 +1,4 @@
-// Blocks find what each of their primitives says alone, and the exact tests what the lesson's formulas say.
+// Facts about leaf blocks: they find the hits of their primitives, with the values of the lesson's formulas.
 #include "accel/exact.h"
 #include "accel/leaf_blocks.h"
 #include "01_spheres/sphere.h"
@@ -11,7 +11,7 @@
 
 using namespace rt;
 
-TEST_CASE("a block finds the triangles that a ray meets, and where, whatever their size and distance") {
+TEST_CASE("a block finds the triangles that a ray hits whatever their size and distance") {
     Random random(81);
     int hits = 0, wrong = 0, off = 0;
     for (int round = 0; round < 12800 / accel::simd_width; ++round) {
@@ -26,7 +26,7 @@ TEST_CASE("a block finds the triangles that a ray meets, and where, whatever the
             set_lane(block, lane, corners, std::uint32_t(100 + lane));
             CHECK(primitive_at(block, std::size_t(lane)) == corners);
         }
-        // One ray aims at a triangle, the other starts a few roundings off it, as shadow rays do.
+        // One ray aims at a triangle, the other starts a few rounding errors off it, like a shadow ray.
         const auto& [a, b, c] = triangles[std::size_t(round % filled)];
         const float u = 0.05f + 0.45f * random.uniform(), v = 0.05f + 0.4f * random.uniform();
         const vec3 target = (1 - u - v) * a + u * b + v * c;
@@ -35,8 +35,9 @@ TEST_CASE("a block finds the triangles that a ray meets, and where, whatever the
              {Ray{from, 0.7f * (target - from), 0.2f, 1.6f}, Ray{target + 1e-6f * from, from, 0, 1}}) {
             const accel::Candidates found =
                 candidates(block, accel::TriangleN::make_ray(ray), ray.t_min, ray.t_max);
-            CHECK_MESSAGE((found.maybe >> (filled - 1)) <= 1u, "an empty lane is never met");
-            CHECK_MESSAGE((found.certain & ~found.maybe) == 0, "what is certain may be");
+            CHECK_MESSAGE((found.maybe >> (filled - 1)) <= 1u, "an empty lane must never be hit");
+            CHECK_MESSAGE((found.certain & ~found.maybe) == 0,
+                          "every certain candidate must be a possible one");
             for (std::size_t lane = 0; lane < std::size_t(filled); ++lane) {
                 const auto& [p, q, r] = triangles[lane];
                 const auto right = intersect(p, q, r, ray);
@@ -49,11 +50,11 @@ TEST_CASE("a block finds the triangles that a ray meets, and where, whatever the
         }
     }
     CHECK(hits > 1500);
-    CHECK_MESSAGE(wrong <= 2, "only a ray within rounding of an edge may be judged in two ways");
-    CHECK_MESSAGE(off == 0, "where a ray meets a triangle is what triangle.h says, to the last bit");
+    CHECK_MESSAGE(wrong <= 2, "only for a ray within rounding of an edge may the results differ");
+    CHECK_MESSAGE(off == 0, "t, u and v of a hit must equal those of triangle.h to the last bit");
 }
 
-TEST_CASE("a point that is outside by a rounding is drawn into the triangle") {
+TEST_CASE("a point that is outside by a rounding error is moved into the triangle") {
     const std::array<vec3, 3> corners{vec3(1, -2, 3), vec3(3, 1, 4), vec3(-1, 2, 6)};
     const auto& [a, b, c] = corners;
     const vec3 from(4, -3, -9);
@@ -65,10 +66,10 @@ TEST_CASE("a point that is outside by a rounding is drawn into the triangle") {
         CHECK(hit->t == approx(1, 1e-3f));
     }
     CHECK_FALSE_MESSAGE(accel::exact_hit(corners, Ray{a - 3.0f * (b - a), b - a}),
-                        "seen edge-on, a triangle is not met");
+                        "a triangle seen edge-on must not be hit");
 }
 
-TEST_CASE("a triangle in a block is met at any size, and from both sides") {
+TEST_CASE("a triangle in a block is hit at any size and from both sides") {
     const vec3 a = {1, -2, 3}, b = {3, 1, 4}, c = {-1, 2, 6};
     for (const float size : {1e-12f, 1e-8f, 1e-3f, 1.0f, 1e4f, 1e8f, 1e15f}) {
         for (const float side : {1.0f, -1.0f}) {
@@ -80,8 +81,9 @@ TEST_CASE("a triangle in a block is met at any size, and from both sides") {
             const Ray ray{from, target - from};
             const auto prepared = accel::TriangleN::make_ray(ray);
             CHECK(candidates(block, prepared, 0, infinity).certain == 1u << (accel::simd_width - 1));
-            CHECK_MESSAGE(candidates(block, prepared, 0, 0.5f).maybe == 0, "it lies beyond the end");
-            CHECK_MESSAGE(candidates(block, prepared, 2, infinity).maybe == 0, "it lies before the begin");
+            CHECK_MESSAGE(candidates(block, prepared, 0, 0.5f).maybe == 0, "the triangle is beyond t_max");
+            CHECK_MESSAGE(candidates(block, prepared, 2, infinity).maybe == 0,
+                          "the triangle is before t_min");
             const auto hit = accel::exact_hit(primitive_at(block, accel::simd_width - 1), ray);
             REQUIRE(hit);
             CHECK(hit->t == approx(1, 1e-6f));
@@ -90,7 +92,7 @@ TEST_CASE("a triangle in a block is met at any size, and from both sides") {
     }
 }
 
-TEST_CASE("a block of spheres leaves out none that a ray meets") {
+TEST_CASE("a block of spheres rejects none that a ray hits") {
     Random random(83);
     int hits = 0, lost = 0, all_candidates = 0;
     for (int round = 0; round < 4000 / accel::simd_width; ++round) {
@@ -104,7 +106,7 @@ TEST_CASE("a block of spheres leaves out none that a ray meets") {
         }
         const Ray ray{4.0f * random_point(random), random_direction(random), 0.1f, 6.0f};
         const unsigned maybe = candidates(block, accel::SphereN::make_ray(ray), ray.t_min, ray.t_max).maybe;
-        CHECK_MESSAGE((maybe >> (filled - 1)) <= 1u, "an empty lane is never met");
+        CHECK_MESSAGE((maybe >> (filled - 1)) <= 1u, "an empty lane must never be hit");
         all_candidates += std::popcount(maybe);
         for (int lane = 0; lane < filled; ++lane) {
             const bool right = accel::exact_hit(spheres[std::size_t(lane)], ray).has_value();
@@ -112,12 +114,13 @@ TEST_CASE("a block of spheres leaves out none that a ray meets") {
             lost += right && !(maybe >> lane & 1);
         }
     }
-    CHECK_MESSAGE(lost == 0, "from inside too");
+    CHECK_MESSAGE(lost == 0, "from inside, too");
     CHECK(hits > 200);
-    CHECK_MESSAGE(all_candidates < 3 * hits, "most candidates are met, or the exact test has too much to do");
+    CHECK_MESSAGE(all_candidates < 3 * hits,
+                  "most candidates must be hits, or the exact test has too much work");
 }
 
-TEST_CASE("a block leaves out no sphere that a ray grazes, near or far, small or large") {
+TEST_CASE("a block rejects no sphere that a ray grazes, near or far, small or large") {
     Random random(84);
     int hits = 0, misses = 0, lost = 0, off = 0;
     for (int i = 0; i < 20000; ++i) {
@@ -138,8 +141,8 @@ TEST_CASE("a block leaves out no sphere that a ray grazes, near or far, small or
         lost += maybe == 0 && hit;
         off += hit.has_value() != t.has_value() || (hit && hit->t != *t);
     }
-    CHECK_MESSAGE(lost == 0, "floats may only leave out what they are certain of");
-    CHECK_MESSAGE(off == 0, "where a ray meets a sphere is what sphere.h says, to the last bit");
+    CHECK_MESSAGE(lost == 0, "the float test may reject only certain misses");
+    CHECK_MESSAGE(off == 0, "t of a hit must equal that of sphere.h to the last bit");
     CHECK(hits > 1000);
     CHECK(misses > 1000);
 }

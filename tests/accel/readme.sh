@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# readme.sh PROJECT FOLDER COMPILER: builds the example of accel/README.md as another project does, first from this folder
-# and then from what was installed; it must print what the README shows. Exit code 77 if the system has no GLM of its own.
+# readme.sh PROJECT FOLDER COMPILER: builds the example of accel/README.md as a separate project, first from the source
+# folder and then from an installation; it must print what the README shows. Exit code 77 if the system has no GLM.
 set -eu
 project=$1 folder=$2 compiler=$3
 
@@ -9,7 +9,7 @@ mkdir -p "$folder/installed_example"
 cd "$folder"
 ln -s "$project" raysteps
 
-block() { # prints the README's code in this language
+block() { # prints the README's code block of language $1
     awk -v begin="\`\`\`$1" '$0 == "```" { inside = 0 } inside { print } $0 == begin { inside = 1 }' raysteps/accel/README.md
 }
 block cpp >main.cpp
@@ -25,7 +25,7 @@ try() { # $1: the example's folder; the rest: flags for CMake
         exit 1
     fi
     cmake --build "$source/build" >log 2>&1 || { cat log; exit 1; }
-    "$source/build/example" | diff expected.txt - || { echo "this is not what accel/README.md shows"; exit 1; }
+    "$source/build/example" | diff expected.txt - || { echo "the output differs from accel/README.md"; exit 1; }
 }
 
 try .
@@ -33,4 +33,4 @@ cmake --install build --prefix "$folder/installed" >log
 cp main.cpp installed_example/
 sed 's/^add_subdirectory.*/find_package(raysteps_accel REQUIRED)/' CMakeLists.txt >installed_example/CMakeLists.txt
 try installed_example -D CMAKE_PREFIX_PATH="$folder/installed"
-echo "the example runs, from the folder and installed"
+echo "the example runs, from the source folder and from the installation"

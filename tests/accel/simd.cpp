@@ -1,4 +1,4 @@
-// SIMD vectors, lane by lane.
+// Facts about SIMD vectors: comparisons, masks, and NaN, lane by lane.
 #include "accel/simd.h"
 #include "tests/check.h"
 
@@ -19,7 +19,7 @@ FloatN lanes_of(std::initializer_list<float> numbers) {
 
 } // namespace
 
-TEST_CASE("movemask() has its bits in the order of the lanes") {
+TEST_CASE("the bits of movemask() are in the order of the lanes") {
     const unsigned all = (1u << simd_width) - 1;
     const FloatN values = lanes_of({3, -1, -5, 0});
     CHECK(movemask(values < 0) == 0b0110u);
@@ -34,7 +34,7 @@ TEST_CASE("movemask() has its bits in the order of the lanes") {
     CHECK(mask == 0b01010000u);
 }
 
-TEST_CASE("less() and less_equal() compare lane by lane, and NaN is neither") {
+TEST_CASE("less() and less_equal() compare lane by lane and are false for NaN") {
     const float nan = std::nanf("");
     const FloatN a = lanes_of({1, 5, nan, 2}), b = lanes_of({2, 4, 3, 2});
     CHECK((less(a, b) & 0b1111u) == 0b0001u);

@@ -1,4 +1,4 @@
-// What a wide tree finds is what testing every primitive finds, with little work, and no ray slips through.
+// Facts about traversal: the wide tree finds the same hits as testing every primitive, with little work.
 #include "accel/accel.h"
 #include "05_mesh_bvh/mesh.h"
 #include "common/math/random.h"
@@ -11,7 +11,7 @@ using namespace rt;
 
 namespace {
 
-/// A mesh of the lesson, which tests every triangle, and its tree.
+/// A mesh of the lesson, whose triangles are tested one by one, and its tree.
 struct Subject {
     Mesh mesh;
     accel::TriangleBvh bvh;
@@ -27,7 +27,7 @@ struct Closest {
     std::uint32_t primitive = 0;
 };
 
-/// By the exact test of the lesson.
+/// Finds the closest hit by the exact test of the lesson.
 Closest brute_force(const Mesh& mesh, Ray ray) {
     Closest closest;
     for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
@@ -40,8 +40,8 @@ Closest brute_force(const Mesh& mesh, Ray ray) {
     return closest;
 }
 
-/// How far the point at t is off the triangle that is hit, along its normal, is what a viewer sees; along a
-/// splinter that a ray grazes, t may differ.
+/// Returns whether the point at t is on the triangle that is hit, up to a tolerance along its normal, because
+/// only this deviation is visible; along a thin triangle that a ray grazes, t may differ.
 bool is_on_surface(const Mesh& mesh, const Closest& right, const Ray& ray, float t) {
     const vec3 normal = vec3(normalize(area_normal(vertices(mesh, right.primitive))));
     const vec3 size = max(abs(ray.origin), abs(at(ray, *right.t)));
@@ -49,7 +49,7 @@ bool is_on_surface(const Mesh& mesh, const Closest& right, const Ray& ray, float
            1e-6f * std::max({size.x, size.y, size.z});
 }
 
-/// Rays at the box, from outside and from inside.
+/// Compares the tree with brute force for rays aimed at the box, from outside and from inside.
 void check_tree(const Subject& subject, const Aabb& box, int count) {
     Random random(7);
     const float size = std::max(length(box.max - box.min), 1e-20f);
@@ -74,7 +74,7 @@ void check_tree(const Subject& subject, const Aabb& box, int count) {
     }
     INFO(hits, " of ", count, " rays hit");
     CHECK_MESSAGE(different == 0, first,
-                  " (none: a box is too small, or NaN rejects it; too far: the search ended too soon)");
+                  " (none: a box is too small, or NaN rejects it; too far: the search ended too early)");
     CHECK_MESSAGE(shadows == 0, "any_hit() must agree with closest_hit()");
 }
 
@@ -85,7 +85,7 @@ void check_tree(const ObjModel& file, int count) {
 
 } // namespace
 
-TEST_CASE("the tree finds what testing every triangle finds") {
+TEST_CASE("the tree finds the same hits as testing every triangle") {
     check_tree(random_triangles(2000, 0.15f), 1200);
     check_tree(flat_grid(20), 1500);
     check_tree(icosphere(3), 1500);
@@ -97,7 +97,7 @@ TEST_CASE("the tree finds what testing every triangle finds") {
     check_tree(small, 2000);
 }
 
-TEST_CASE("the tree finds what testing every triangle finds, among identical, flat and huge ones") {
+TEST_CASE("the tree finds the same hits as testing every triangle among identical, flat and huge ones") {
     const vec3 a = {1, -2, 3}, b = {3, 1, 4}, c = {-1, 2, 6};
     ObjModel identical = empty_file();
     for (int i = 0; i < 100; ++i) add_triangle(identical, a, b, c);
@@ -113,14 +113,14 @@ TEST_CASE("the tree finds what testing every triangle finds, among identical, fl
     check_tree(Subject(file), {vec3(0), vec3(1)}, 2000);
 }
 
-TEST_CASE("a tree without primitives is hit by no ray") {
+TEST_CASE("no ray hits a tree without primitives") {
     const accel::Ray ray{vec3(0), vec3(1)};
     CHECK_FALSE(accel::closest_hit(accel::build_triangle_bvh(accel::TriangleMesh{}), ray));
     CHECK_FALSE(accel::any_hit(accel::build_triangle_bvh(std::span<const accel::TriangleMesh>()), ray));
     CHECK_FALSE(accel::closest_hit(accel::build_sphere_bvh({}), ray));
 }
 
-TEST_CASE("triangles are numbered through all meshes of a tree") {
+TEST_CASE("triangles are numbered consecutively through all meshes of a tree") {
     const vec3 vertices[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     std::vector<std::array<vec3, 3>> moved;
     for (int i = 0; i < 40; ++i)
@@ -130,7 +130,7 @@ TEST_CASE("triangles are numbered through all meshes of a tree") {
     std::vector<accel::TriangleMesh> meshes;
     for (const auto& mesh : moved) {
         meshes.push_back({mesh, triangle});
-        if (meshes.size() % 3 == 0) meshes.push_back({}); // has no number
+        if (meshes.size() % 3 == 0) meshes.push_back({}); // has no triangle
     }
     const auto bvh = accel::build_triangle_bvh(meshes);
     for (int i = 0; i < 40; ++i) {
@@ -143,7 +143,7 @@ TEST_CASE("triangles are numbered through all meshes of a tree") {
     }
 }
 
-TEST_CASE("a tree of spheres finds what testing every sphere finds, to the last bit") {
+TEST_CASE("a tree of spheres finds the same hits as testing every sphere to the last bit") {
     Random random(85);
     std::vector<accel::Sphere> spheres;
     for (int i = 0; i < 500; ++i) spheres.push_back({random_point(random), 0.08f * random.uniform() + 1e-3f});
@@ -171,7 +171,7 @@ TEST_CASE("a tree of spheres finds what testing every sphere finds, to the last 
     CHECK(shadows == 0);
 }
 
-TEST_CASE("a ray that aims at an edge or a vertex that triangles share never slips through, in float") {
+TEST_CASE("a ray aimed at an edge or a vertex that triangles share never slips through in float") {
     for (const float far : {1.0f, 30.0f, 3000.0f}) {
         const ObjModel files[] = {icosphere(3), flat_grid(24)};
         for (const ObjModel& file : files) {
@@ -186,11 +186,11 @@ TEST_CASE("a ray that aims at an edge or a vertex that triangles share never sli
                 const vec3 target = mix(a, b, weight);
                 const bool rim = target.z == 0.3f && (std::min(target.x, target.y) < 1e-6f ||
                                                       std::max(target.x, target.y) > 1 - 1e-6f);
-                if (rim) continue; // of the open grid: there is no neighbour
+                if (rim) continue; // of the open grid: no neighbour
                 const vec3 origin = far * random_direction(random) + vec3(0, 0, 2 * far);
                 const bool sphere = file.triangles.size() == 1280;
                 if (sphere && dot(normalize(target), normalize(origin - target)) < 0.2f)
-                    continue; // the outline
+                    continue; // the silhouette
                 const Ray ray{origin, target - origin};
                 slipped += !accel::closest_hit(subject.bvh, ray);
                 shadows += !accel::any_hit(subject.bvh, ray);
@@ -213,7 +213,7 @@ struct Counts {
 
 } // namespace
 
-TEST_CASE("among 2,000 random triangles a ray visits few nodes and leaves") {
+TEST_CASE("among 2000 random triangles a ray visits few nodes and leaves") {
     const Subject subject(random_triangles(2000, 0.2f));
     Random random(5);
     const int rays = 3000;
@@ -226,7 +226,7 @@ TEST_CASE("among 2,000 random triangles a ray visits few nodes and leaves") {
     INFO(nodes, " nodes and ", leaves, " leaves per ray");
     CHECK_MESSAGE(
         nodes < 64.0 / accel::simd_width,
-        "more than twice that: nearer children do not come first, or boxes beyond a hit are entered");
-    CHECK_MESSAGE(leaves < 8, "15: the same, or the split is a bad one");
+        "more than twice that: nearer children are not visited first, or boxes beyond a hit are entered");
+    CHECK_MESSAGE(leaves < 8, "15: the same, or the splits are poor");
     CHECK(leaves > 0.5);
 }

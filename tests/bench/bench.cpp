@@ -1,4 +1,4 @@
-// Facts about the benchmarks' own tools: what they trace, which side they call right, and what the report draws.
+// Facts about the benchmark tools: scenes and rays, the arbitration of disagreements, the report.
 #include "tests/check.h"
 
 #include "common/util/error.h"
@@ -22,9 +22,9 @@
 using namespace rt;
 using namespace rt::bench;
 
-// ---- what is traced ----
+// ---- scenes and rays ----
 
-TEST_CASE("a field of knots has as many triangles as its name says, within a tenth") {
+TEST_CASE("a field of knots has the number of triangles in its name within a tenth") {
     for (const char* name : {"1k", "10k", "30k", "100k"}) {
         CAPTURE(std::string(name));
         const double want = triangle_count(name), got = double(make_scene(name).mesh.triangles.size());
@@ -34,21 +34,21 @@ TEST_CASE("a field of knots has as many triangles as its name says, within a ten
     for (const char* wrong : {"", "k", "10", "10x", "cat", "-5k", "100M"}) CHECK(triangle_count(wrong) == 0);
 }
 
-TEST_CASE("the same field comes out on every run") {
+TEST_CASE("the same field is generated on every run") {
     const Mesh a = make_scene("3k").mesh, b = make_scene("3k").mesh;
     CHECK(a.positions == b.positions);
     CHECK(a.triangles == b.triangles);
 }
 
-TEST_CASE("all triangles face outward: their corners run round the normals of their vertices") {
+TEST_CASE("all triangles face outward: their winding agrees with their vertex normals") {
     const Mesh mesh = make_scene("10k").mesh;
     std::size_t turned = 0;
     for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i)
         turned += dot(area_normal(vertices(mesh, i)), dvec3(mesh.normals[mesh.triangles[i][0]])) <= 0;
-    CHECK_MESSAGE(turned == 0, turned << " triangles are turned");
+    CHECK_MESSAGE(turned == 0, turned << " triangles face inward");
 }
 
-TEST_CASE("a room is closed: every ray that starts in it hits something, as brute force shows") {
+TEST_CASE("a room is closed: by brute force every ray that starts inside hits something") {
     for (const char* name : {"cat", "1k"}) {
         CAPTURE(std::string(name));
         const BenchScene scene = make_scene(name);
@@ -73,7 +73,8 @@ TEST_CASE("some shadow rays reach the light and some do not") {
     CHECK(dark < sets.shadow.size() * 9 / 10);
 }
 
-TEST_CASE("the primary rays of a picture are its pixels' rays, each once, neighbours side by side") {
+TEST_CASE(
+    "the primary rays of a picture are the rays of its pixels, each once and with neighbours adjacent") {
     const BenchScene scene = make_scene("1k");
     const std::vector<Ray> rays = primary_rays(scene, 32);
     const Camera camera = make_camera(scene.look_at, 32, 32);
@@ -85,9 +86,9 @@ TEST_CASE("the primary rays of a picture are its pixels' rays, each once, neighb
     CHECK(different.size() == rays.size());
 }
 
-// ---- how it is traced ----
+// ---- tracing ----
 
-TEST_CASE("threads work on every index once") {
+TEST_CASE("threads process every index exactly once") {
     for (const int threads : {1, 2, 5}) {
         for (const std::size_t size :
              {std::size_t(0), std::size_t(1), std::size_t(1024), std::size_t(100'001)}) {
@@ -104,11 +105,11 @@ TEST_CASE("threads work on every index once") {
     }
 }
 
-// ---- who is right ----
+// ---- arbitration ----
 
 namespace {
 
-/// Rays in a room, and the truth about each.
+/// Rays in a room, and their correct hits.
 struct KnownHits {
     BenchScene scene = make_scene("1k");
     std::vector<Ray> rays = primary_rays(scene, 16);
@@ -121,7 +122,7 @@ struct KnownHits {
 
 } // namespace
 
-TEST_CASE("two sides that are right agree") {
+TEST_CASE("two correct tracers agree") {
     const KnownHits known;
     const Agreement a = compare(known.scene.mesh, known.rays, known.truth, known.truth, false, 100);
     CHECK(a.rays == 256);
@@ -131,14 +132,14 @@ TEST_CASE("two sides that are right agree") {
     CHECK(a.sampled_wrong == 0);
 }
 
-TEST_CASE("every planted disagreement is counted, by kind, and brute force says which side is right") {
+TEST_CASE("every planted disagreement is counted by type and brute force decides which tracer is right") {
     const KnownHits known;
     std::vector<ClosestHit> ours = known.truth, embree = known.truth;
-    ours[1] = {};               // we miss
+    ours[1] = {};               // ours misses
     embree[2] = embree[3] = {}; // Embree misses
-    ours[4].t *= 1.01f;         // we find what is behind
-    embree[5].t *= 0.99f;       // Embree finds what is not there
-    ours[6].primitive += 1;     // the neighbour at the same distance is as good
+    ours[4].t *= 1.01f;         // ours finds a hit behind the correct one
+    embree[5].t *= 0.99f;       // Embree finds a hit that does not exist
+    ours[6].primitive += 1;     // a neighbour at the same distance is equally good
     embree[7].t *= 1 + 1e-6f;   // rounding
     const Agreement a = compare(known.scene.mesh, known.rays, ours, embree, false, 100);
     CHECK(a.only_embree == 1);
@@ -151,14 +152,14 @@ TEST_CASE("every planted disagreement is counted, by kind, and brute force says 
     CHECK(a.embree_right == 2);
 }
 
-TEST_CASE("our own mistakes are found without Embree too") {
+TEST_CASE("mistakes of our tracer are found without Embree too") {
     const KnownHits known;
     const Agreement a =
         compare(known.scene.mesh, known.rays, std::vector<ClosestHit>(known.rays.size()), {}, false, 100);
     CHECK(a.sampled_wrong == 100);
 }
 
-TEST_CASE("of a shadow ray only counts whether it hits anything") {
+TEST_CASE("for a shadow ray it only matters whether it hits anything") {
     const KnownHits known;
     std::vector<ClosestHit> ours = known.truth;
     for (ClosestHit& hit : ours) hit.t = infinity;
@@ -169,7 +170,7 @@ TEST_CASE("of a shadow ray only counts whether it hits anything") {
 
 // ---- the report ----
 
-TEST_CASE("medians and geometric means") {
+TEST_CASE("medians and geometric means are correct and ignore unknown values") {
     CHECK(median({3, 1, 2}) == 2);
     CHECK(median({4, 1, 2, 3}) == 2.5);
     CHECK(std::isnan(median({})));
@@ -178,8 +179,8 @@ TEST_CASE("medians and geometric means") {
     CHECK(std::isnan(geometric_mean({unknown})));
 }
 
-TEST_CASE("JSON keeps the order of its fields, writes null for what is not finite, and U+FFFD for what is "
-          "not UTF-8") {
+TEST_CASE(
+    "JSON keeps the order of its fields; it has null for non-finite numbers and U+FFFD for invalid UTF-8") {
     const Json json{{"b", 1.25}, {"a", unknown}, {"list", {1, "x"}}};
     CHECK(json::text(json) == "{\"b\":1.25,\"a\":null,\"list\":[1,\"x\"]}");
     CHECK(json::text("caf\xE9!") == "\"caf\uFFFD!\"");
@@ -188,7 +189,7 @@ TEST_CASE("JSON keeps the order of its fields, writes null for what is not finit
     CHECK(Json::parse(json::text(text)).get<std::string>() == text);
 }
 
-TEST_CASE("a table has a row per object, and a dash for what was not measured") {
+TEST_CASE("a table has a row per object and a dash for values that were not measured") {
     const Json rows{{{"mesh", "cat"}, {"ours_mrays", 1.25}}, {{"mesh", "10k"}, {"ours_mrays", unknown}}};
     CHECK(table(rows) ==
           "| mesh | ours mrays |\n|------|-----------:|\n| cat  |       1.25 |\n| 10k  |          - |\n\n");
@@ -197,7 +198,7 @@ TEST_CASE("a table has a row per object, and a dash for what was not measured") 
 
 namespace {
 
-/// What bench_traversal and bench_renders write; of the second mesh nothing was measured with bounces.
+/// Example output of bench_traversal and bench_renders; the second mesh has no measurement for bounce rays.
 const Json numbers = Json::parse(R"({
     "traversal": {"cases": [
         {"mesh": "cat", "triangles": 1000, "rays": "primary", "threads": 1, "ours_mrays": 4, "embree_mrays": 5, "ratio": 0.8},
@@ -215,7 +216,7 @@ const Json numbers = Json::parse(R"({
     "renders": {"renders": [{"step": "05_mesh_bvh", "scene_percent": 5, "build_percent": 15, "traversal_percent": 50,
         "shading_percent": 30}]}})");
 
-/// The plots of the report, drawn by gnuplot: by name, as SVG. Empty where there is no gnuplot.
+/// Returns the plots of the report, drawn by gnuplot, as SVG by name; empty if gnuplot is missing.
 std::map<std::string, std::string> drawn_plots() {
     std::map<std::string, std::string> drawn;
     if (std::system("gnuplot --version >/dev/null 2>&1") != 0) return drawn;
@@ -231,7 +232,7 @@ std::map<std::string, std::string> drawn_plots() {
     return drawn;
 }
 
-/// The two numbers that `pattern` captures, at each of its places in the text.
+/// Returns the two numbers that `pattern` captures, for each match in the text.
 std::vector<glm::dvec2> captured(const std::string& text, const std::string& pattern) {
     std::vector<glm::dvec2> all;
     const std::regex regex(pattern);
@@ -242,18 +243,18 @@ std::vector<glm::dvec2> captured(const std::string& text, const std::string& pat
 
 } // namespace
 
-TEST_CASE("the report adds up the checks, shows its plots, and refuses what are no numbers of a benchmark") {
+TEST_CASE("the report sums the checks, shows its plots and rejects invalid numbers") {
     const Report report = make_report(numbers, true);
     CHECK(report.text.find("|   30 |         3 |") != std::string::npos);
     CHECK(report.text.find("![Where the time of one thread goes](renders.svg)") != std::string::npos);
-    CHECK(report.plots.size() == 3); // of the builds nothing was measured
+    CHECK(report.plots.size() == 3); // the builds were not measured
     CHECK(make_report(numbers, false).plots.empty());
     CHECK(make_report(numbers, false).text.find(".svg") == std::string::npos);
     for (const char* wrong : {"1", "{}", "{\"cases\": 1}", "{\"cases\": [1], \"build\": []}"})
         CHECK_THROWS_AS(make_report({{"traversal", Json::parse(wrong)}}, true), Error);
 }
 
-TEST_CASE("a plot knows the dark, and equal numbers make an equal file") {
+TEST_CASE("a plot supports dark mode and equal numbers give an equal file") {
     const auto plots = drawn_plots();
     if (plots.empty()) {
         SKIP_CHECK("no gnuplot");
@@ -268,7 +269,8 @@ TEST_CASE("a plot knows the dark, and equal numbers make an equal file") {
     }
 }
 
-TEST_CASE("equal ratios are equally far apart on a logarithmic axis, more is higher, and gaps are left out") {
+TEST_CASE("on a logarithmic axis, equal ratios have equal distances, larger values are higher and gaps are "
+          "omitted") {
     const auto plots = drawn_plots();
     if (plots.empty()) {
         SKIP_CHECK("no gnuplot");
@@ -276,7 +278,7 @@ TEST_CASE("equal ratios are equally far apart on a logarithmic axis, more is hig
     }
     auto dots = captured(plots.at("scaling_ray"),
                          "<use xlink:href='#gpPt6' transform='translate\\(([0-9.]+),([0-9.]+)\\)");
-    REQUIRE(dots.size() == 5); // four points, and the one of the legend
+    REQUIRE(dots.size() == 5); // four points, and one of the legend
     std::ranges::sort(dots, {}, &glm::dvec2::y);
     CHECK(dots[3].x - dots[4].x == doctest::Approx(dots[2].x - dots[3].x).epsilon(0.01));
     CHECK(dots[1].x - dots[2].x == doctest::Approx(2 * (dots[2].x - dots[3].x)).epsilon(0.01));
@@ -290,7 +292,7 @@ TEST_CASE("a bar of twice the value is twice as high") {
         SKIP_CHECK("no gnuplot");
         return;
     }
-    // From the bottom left corner round: what is captured is the bottom and the top.
+    // Starting from the bottom left corner; the captured numbers are the bottom and the top.
     const auto bars =
         captured(plots.at("traversal_1"), "points = '[0-9.]+,([0-9.]+) [0-9.]+,[0-9.]+ [0-9.]+,([0-9.]+) ");
     std::set<long> heights;

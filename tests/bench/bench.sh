@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# What ./learn bench says to wrong words: one line, exit 2, before anything is built or written.
+# Checks that ./learn bench rejects wrong arguments with one line and exit code 2 before anything is built or written.
 # bench.sh LEARN: exit 0 if it does.
 set -u
 
 learn=$1
 bad=0
 
-refuses() { # $1: what the line says; the rest: the words
+refuses() { # $1: a part of the line; the rest: the arguments
     local part=$1 said code
     shift
     said=$("$learn" bench "$@" 2>&1)

@@ -1,5 +1,5 @@
-// The report in headless Chromium, by Playwright: clicks, drags, zooms and types in it.
-// node report.mjs FOLDER: FOLDER holds the reports that test_tutor writes. SCREENSHOTS=OUT also takes pictures of them.
+// Facts about the report in headless Chromium, driven by Playwright: clicks, drags, zooming and keys.
+// node report.mjs FOLDER: FOLDER holds the reports that test_tutor writes. SCREENSHOTS=OUT also takes screenshots.
 import assert from "node:assert/strict";
 import path from "node:path";
 import { after, test } from "node:test";
@@ -14,8 +14,8 @@ const browser = await chromium.launch({
 });
 after(() => browser.close());
 
-const contexts = {}; // by whether they are a phone's
-let context, page;   // of the report that is open
+const contexts = {}; // key: whether it emulates a phone
+let context, page;   // of the open report
 const requests = [], complaints = new Set();
 
 async function openPage(mobile) {
@@ -28,7 +28,7 @@ async function openPage(mobile) {
     return { context, page, devtools: await context.newCDPSession(page) };
 }
 
-/** Opens a report in a window of a size, with media features such as colorScheme: "dark". */
+/** Opens a report in a window of this size, with media features such as colorScheme: "dark". */
 async function open(name, [width, height] = desktop, media = {}) {
     const mobile = width === phone[0];
     ({ context, page } = contexts[mobile] ??= await openPage(mobile));
@@ -39,7 +39,7 @@ async function open(name, [width, height] = desktop, media = {}) {
     await page.evaluate(() => Promise.all([...document.images].map(image => image.decode())));
 }
 
-// --- what a person does -----------------------------------------------------------------------------------------------
+// --- user input -------------------------------------------------------------------------------------------------------
 
 const move = ([x, y]) => page.mouse.move(x, y);
 const click = selector => page.click(selector);
@@ -53,18 +53,18 @@ const press = async (...keys) => {
     for (const key of keys) await page.keyboard.press(key);
 };
 const wheel = async (point, delta) => {
-    await page.waitForTimeout(400); // longer than the pause after which a wheel counts as turned over the picture
+    await page.waitForTimeout(400); // longer than the pause after which a wheel event belongs to the picture
     await move(point);
     await page.mouse.wheel(0, delta);
     await page.waitForTimeout(100);
 };
-/** kind: touchStart, touchMove or touchEnd; a point of the window for each finger that is down then. */
+/** Sends a touch event of this kind (touchStart, touchMove, touchEnd); fingers: the window points of all that are down. */
 const touch = async (kind, ...fingers) => {
     const touchPoints = fingers.map(([x, y], id) => ({ x, y, id }));
     await contexts[true].devtools.send("Input.dispatchTouchEvent", { type: kind, touchPoints });
 };
 
-// --- what a person sees -----------------------------------------------------------------------------------------------
+// --- what is visible --------------------------------------------------------------------------------------------------
 
 const text = selector => page.locator(selector).first().innerText();
 const visible = selector => page.locator(selector).first().isVisible();
@@ -75,30 +75,30 @@ const box = selector => page.$eval(selector, e => e.getBoundingClientRect().toJS
 const near = (got, want, tolerance, what) =>
     assert.ok(Math.abs(got - want) <= tolerance, `${what}: expected ${want} within ${tolerance}, got ${got}`);
 
-/** Scrolls to the pictures; returns a function from shares of the first pane to a point of the window. */
+/** Scrolls to the pictures; returns a function that maps fractions of the first pane to a point of the window. */
 async function showPane() {
     await see("document.getElementById('viewer').scrollIntoView({block: 'start', behavior: 'instant'})");
     const pane = await box(".pane");
     return (x, y) => [pane.left + x * pane.width, pane.top + y * pane.height];
 }
-/** The point of the window where the middle of a pixel is, as long as the picture fits into its pane. */
+/** Returns the window point of a pixel's centre, if the whole picture fits into its pane. */
 async function pointOf(x, y) {
     const [width, height] = await see("[pictures.width, pictures.height]");
     return (await showPane())((x + 0.5) / width, (y + 0.5) / height);
 }
-/** The pictures that are shown, pane by pane. */
+/** Returns the pictures that are shown, pane by pane. */
 const layers = () => all(".pane", panes => panes.filter(p => p.checkVisibility()).map(
     p => [...p.querySelectorAll(".layer")].filter(l => l.checkVisibility()).map(l => l.dataset.picture)));
-/** How many CSS pixels a pixel of the picture takes. */
+/** Returns the number of CSS pixels per pixel of the picture. */
 const scale = () => page.$eval(".layer:not([hidden]) img", i => i.getBoundingClientRect().width / i.width);
-/** The share of the pane, from its left, in which the learner's picture is seen. */
+/** Returns the fraction of the pane, from its left, that shows the learner's picture. */
 async function wipe() {
     const clip = await style(".layer[data-picture=mine]", "clipPath");
     const match = /^inset\(0px (?:calc\(100% - ([\d.]+)%\)|([\d.]+)(?:%|px)) 0px 0px\)$/.exec(clip);
     assert.ok(match, `the clip is ${clip}`);
     return match[1] ? match[1] / 100 : 1 - match[2] / 100;
 }
-/** The pixel that is read out. */
+/** Returns the pixel in the readout. */
 async function pixel() {
     const words = await text("#readout"), match = /^x (\d+), y (\d+)/.exec(words);
     assert.ok(match, `no pixel in '${words}'`);
@@ -107,12 +107,12 @@ async function pixel() {
 
 // --- the checks -------------------------------------------------------------------------------------------------------
 
-test("the first screen says what is wrong and what to do", async () => {
+test("the first screen states what is wrong and what to do", async () => {
     await open("wrong");
     for (const [selector, want] of Object.entries({
         "#step": "Raysteps · step 03, mirror", "h1": "What does the mirror see?", "#checks-headline": "7 of 12 green",
         "#picture-headline": "A different picture", "#next": "./learn hint 03 reflect",
-        "#mistake-title": "The part along the normal is added in place of taken away",
+        "#mistake-title": "The part along the normal is added instead of subtracted",
     }))
         assert.equal(await text(selector), want);
     assert.equal(await page.locator("#pair img").count(), 2, "pictures of the mistake");
@@ -122,7 +122,7 @@ test("the first screen says what is wrong and what to do", async () => {
     }
 });
 
-test("a good report is calm", async () => {
+test("a good report shows no mistake", async () => {
     await open("good");
     assert.equal(await text("#checks-headline"), "74 of 74 green");
     assert.equal(await text("#picture-headline"), "The same up to noise");
@@ -130,7 +130,7 @@ test("a good report is calm", async () => {
     assert.match(await text("#numbers"), /1 tile beyond \|z\| = 4/);
 });
 
-test("without a known mistake it says where to begin", async () => {
+test("without a known mistake the report links to the first failing check", async () => {
     await open("unknown");
     assert.equal(await text("#mistake-title"), "None that we know");
     await click("#mistake-facts a");
@@ -149,26 +149,26 @@ test("the slider follows a drag", async () => {
     await open("wrong");
     const point = await showPane();
     assert.deepEqual(await layers(), [["reference", "mine"]]);
-    near(await wipe(), 0.5, 1e-3, "wipe at first");
+    near(await wipe(), 0.5, 1e-3, "initial wipe");
     await drag(point(0.5, 0.4), point(0.25, 0.6));
     near(await wipe(), 0.25, 2e-3, "wipe after a drag of the handle to a quarter");
     assert.equal(await page.$eval("#handle", e => e.ariaValueNow), "25", "value for a screen reader");
     const handle = await box("#handle");
-    near(handle.left + handle.width / 2, point(0.25, 0)[0], 1.5, "the handle's middle");
+    near(handle.left + handle.width / 2, point(0.25, 0)[0], 1.5, "the handle's centre");
     await drag(point(0.25, 0.5), [point(1, 0)[0] + 40, point(0, 0.5)[1]]);
     near(await wipe(), 1, 1e-3, "wipe after a drag beyond the edge");
     await move(point(0.5, 0.5));
-    near(await wipe(), 1, 1e-3, "wipe after the button was let go");
+    near(await wipe(), 1, 1e-3, "wipe after the button was released");
 });
 
-test("the slider follows a finger, and the page scrolls on", async () => {
+test("the slider follows a finger and the page still scrolls", async () => {
     await open("wrong", phone);
     const point = await showPane();
     await touch("touchStart", point(0.5, 0.5));
     for (const share of [0.6, 0.7, 0.8]) await touch("touchMove", point(share, 0.5));
     await touch("touchEnd");
     near(await wipe(), 0.8, 6e-3, "wipe");
-    assert.equal(await style("#stage", "touchAction"), "pan-y", "what a finger may do where nothing is zoomed");
+    assert.equal(await style("#stage", "touchAction"), "pan-y", "touch action if the picture is not zoomed");
 });
 
 test("swap shows the reference under the pointer", async () => {
@@ -183,7 +183,7 @@ test("swap shows the reference under the pointer", async () => {
     }
 });
 
-test("swap shows the reference while Space or a finger holds", async () => {
+test("swap shows the reference while Space or a finger is held", async () => {
     await open("wrong", phone);
     await click("[data-mode=swap]");
     const point = await showPane();
@@ -196,7 +196,7 @@ test("swap shows the reference while Space or a finger holds", async () => {
     await page.keyboard.down(" ");
     assert.deepEqual(await layers(), [["reference"]], "with Space held");
     await page.keyboard.up(" ");
-    assert.deepEqual(await layers(), [["mine"]], "with Space let go");
+    assert.deepEqual(await layers(), [["mine"]], "with Space released");
 });
 
 test("side by side and map show their pictures", async () => {
@@ -205,21 +205,21 @@ test("side by side and map show their pictures", async () => {
     assert.deepEqual(await layers(), [["mine"], ["reference"]]);
     const corners = () => all(".pane", panes => panes.map(pane => pane.getBoundingClientRect().toJSON()));
     const [left, right] = await corners();
-    assert.ok(left.left < right.left, "the panes do not stand beside each other");
+    assert.ok(left.left < right.left, "the panes are not side by side");
     await click("[data-mode=map]");
     assert.deepEqual(await layers(), [["map"]]);
     assert.deepEqual(await all("#modes [aria-pressed=true]", buttons => buttons.map(b => b.dataset.mode)), ["map"]);
     await open("wrong", phone);
     await click("[data-mode=side]");
     const [upper, lower] = await corners();
-    assert.ok(upper.top < lower.top, "on a phone the panes do not stand under each other");
+    assert.ok(upper.top < lower.top, "on a phone the panes are not stacked");
 });
 
-test("the buttons zoom to pixels", async () => {
+test("the buttons zoom in to whole pixels", async () => {
     await open("wrong");
     const fit = await scale();
     assert.equal(await style(".layer img", "imageRendering"), "auto");
-    assert.ok(await page.isDisabled("#zoom-out"), "a way to zoom out of the whole");
+    assert.ok(await page.isDisabled("#zoom-out"), "zoom out must be disabled for the whole picture");
     for (const want of [2, 3, 4, 6, 8]) {
         await click("#zoom-in");
         near(await scale(), want, 1e-3, "scale after a click on +");
@@ -232,31 +232,31 @@ test("the buttons zoom to pixels", async () => {
     near(await scale(), fit, 1e-3, "scale after a click on Fit");
 });
 
-test("the wheel zooms around the pointer, and a drag pans", async () => {
+test("the wheel zooms around the pointer and a drag pans", async () => {
     await open("wrong");
     await click("[data-mode=map]");
     const begin = await pointOf(448, 120), fit = await scale();
     await move(begin);
-    assert.deepEqual(await pixel(), [448, 120], "pixel at 7 tenths of the width and 3 of the height");
+    assert.deepEqual(await pixel(), [448, 120], "pixel before the zoom");
     await wheel(begin, -1000);
-    near(await scale() / fit, 7.389, 0.01, "a wheel turned by 1000 zooms by e squared");
+    near(await scale() / fit, 7.389, 0.01, "zoom factor of a wheel delta of 1000: e squared");
     await move([begin[0] + 1, begin[1]]);
     await move(begin);
     assert.deepEqual(await pixel(), [448, 120], "pixel under the pointer after the zoom");
     const step = await scale() * 10;
     await drag(begin, [begin[0] - step, begin[1] + step]);
-    assert.deepEqual(await pixel(), [448, 120], "the pixel goes with the pointer that drags it");
+    assert.deepEqual(await pixel(), [448, 120], "a dragged pixel must follow the pointer");
     await move(begin);
     const [x, y] = await pixel();
-    near(x, 458, 1, "x of what lies there now");
-    near(y, 110, 1, "y of what lies there now");
+    near(x, 458, 1, "x of the pixel now at this point");
+    near(y, 110, 1, "y of the pixel now at this point");
     const scroll = await see("scrollY");
     await wheel(begin, 5000);
     near(await scale(), fit, 1e-3, "scale after the wheel was turned back");
-    assert.equal(await see("scrollY"), scroll, "the page did not scroll meanwhile");
+    assert.equal(await see("scrollY"), scroll, "the page must not scroll");
 });
 
-test("zoom and place stay from view to view", async () => {
+test("zoom and position are kept from view to view", async () => {
     await open("wrong");
     const point = await showPane();
     await wheel(point(0.2, 0.8), -1200);
@@ -269,12 +269,12 @@ test("zoom and place stay from view to view", async () => {
         near(await scale(), zoomed, 1e-3, `scale in view ${key}`);
         await move(point(0.5, 0.45));
         await move(point(0.5, 0.5));
-        assert.deepEqual(await pixel(), middle, `pixel in the middle of view ${key}`);
+        assert.deepEqual(await pixel(), middle, `pixel at the centre of view ${key}`);
     }
     await press("3");
     const transforms = await all(".layer:not([hidden]) img", images => images.map(i => i.style.transform));
     assert.equal(transforms.length, 2, "pictures side by side");
-    assert.equal(transforms[0], transforms[1], "they show the same place");
+    assert.equal(transforms[0], transforms[1], "both must show the same place");
 });
 
 test("two fingers pinch", async () => {
@@ -286,10 +286,10 @@ test("two fingers pinch", async () => {
     for (const share of [0.35, 0.3, 0.25, 0.2]) await touch("touchMove", point(share, 0.5), point(1 - share, 0.5));
     await touch("touchEnd");
     near(await scale() / fit, 3, 0.15, "zoom when two fingers move to three times their distance");
-    assert.equal(await style("#stage", "touchAction"), "none", "what the page does with fingers where it is zoomed");
+    assert.equal(await style("#stage", "touchAction"), "none", "touch action if the picture is zoomed");
 });
 
-test("the readout tells pixel and colours", async () => {
+test("the readout shows pixel and colours", async () => {
     await open("wrong");
     for (const [x, y, same] of [[160, 300, true], [480, 100, false]]) {
         await move(await pointOf(x, y));
@@ -300,7 +300,7 @@ test("the readout tells pixel and colours", async () => {
     }
 });
 
-test("the keys do what the pointer does", async () => {
+test("the keys have the same functions as the pointer", async () => {
     await open("wrong");
     for (const [key, mode] of [["4", "map"], ["3", "side"], ["2", "swap"], ["1", "slider"]]) {
         await press(key);
@@ -318,14 +318,14 @@ test("the keys do what the pointer does", async () => {
     const before = (await box(".layer img")).left;
     await press("Shift+ArrowRight");
     const moved = (await box(".layer img")).left - before;
-    assert.ok(moved < -20, `Shift and an arrow do not move the picture: ${moved}`);
+    assert.ok(moved < -20, `Shift and an arrow key do not move the picture: ${moved}`);
     await press("-");
     near(await scale(), 2, 1e-3, "scale after -");
     await press("0");
-    assert.ok(await scale() < 2, "0 does not fit the picture in");
+    assert.ok(await scale() < 2, "0 does not fit the picture into the pane");
 });
 
-test("the focus goes through everything and is seen", async () => {
+test("the focus reaches every control and is visible", async () => {
     await open("wrong");
     const names = [];
     for (let i = 0; i < 40; ++i) {
@@ -336,57 +336,57 @@ test("the focus goes through everything and is seen", async () => {
                     s.outlineStyle !== 'none' || after.boxShadow.includes('5px')] })()`);
         if (name === "BODY" || name === names[0]) break;
         names.push(name);
-        assert.ok(seen, `the focus on ${name} is not seen`);
+        assert.ok(seen, `the focus on ${name} is not visible`);
     }
     for (const name of ["copy", "slider", "swap", "side", "map", "zoom-in", "stage", "handle", "SUMMARY"])
         assert.ok(names.includes(name), `the tab key does not reach ${name}: ${names}`);
 });
 
-test("red checks stand first and open", async () => {
+test("failing checks are first and expanded", async () => {
     await open("wrong");
     assert.deepEqual(await all("#checks .check", checks => checks.map(c => c.dataset.state)),
         [...Array(3).fill("failed"), "unfinished", "skipped", ...Array(7).fill("ok")]);
-    assert.ok(await all("#checks > details.check", checks => checks.every(d => d.open)), "one is not open");
+    assert.ok(await all("#checks > details.check", checks => checks.every(d => d.open)), "a failing check is not expanded");
     assert.match(await text("#checks"), /expected 0\.6 within 1e-05, got -0\.6/);
-    assert.equal(await visible("#green .check"), false, "the green ones are seen");
+    assert.equal(await visible("#green .check"), false, "the passing checks are visible");
     await click("#green summary");
-    assert.equal(await visible("#green .check"), true, "the green ones are not seen after a click");
-    assert.equal(await page.locator("#dots .mark[data-state=ok]").count(), 7, "green marks");
+    assert.equal(await visible("#green .check"), true, "the passing checks are not visible after a click");
+    assert.equal(await page.locator("#dots .mark[data-state=ok]").count(), 7, "marks of passing checks");
 });
 
-test("without pictures it says why", async () => {
+test("without pictures the report states why", async () => {
     await open("unbuilt");
     assert.equal(await visible("#viewer"), false, "a viewer is shown");
     assert.equal(await text("#checks-headline"), "No check has run");
     assert.match(await text("#missing"), /The program did not build[^]*mirror\.h:24:12: error/);
     await open("single");
-    assert.deepEqual(await layers(), [["reference"]], "the one picture that there is");
-    assert.equal(await visible("#modes"), false, "views of two pictures are offered");
+    assert.deepEqual(await layers(), [["reference"]], "the only picture");
+    assert.equal(await visible("#modes"), false, "views of two pictures are available");
     assert.match(await text("#missing"), /stopped after 10 s/);
     await press("2", "4");
-    assert.deepEqual(await layers(), [["reference"]], "the one picture after the keys of other views");
+    assert.deepEqual(await layers(), [["reference"]], "the only picture after the keys of other views");
 });
 
-test("texts are only texts", async () => {
+test("foreign text is never executed", async () => {
     await open("evil");
-    assert.ok(await see("window.harm === undefined"), "a text has run as a program");
+    assert.ok(await see("window.harm === undefined"), "a text was executed");
     const evil = "</script><script>window.harm = 1</script><!-- <img src=x onerror=\"window.harm = 1\"> ' & \\ {{report}} " +
         "a_long_word".repeat(12);
     for (const selector of ["h1", "#files", "#earlier", "#picture-lines", "#mistake-title", "#confidence",
         "#mistake-facts dd", "#next", "#settings", ".check .name", ".check .lines"]) {
         const shown = await text(selector);
-        assert.ok(shown.includes(evil), `${selector} does not show the text as it is: ${shown}`);
+        assert.ok(shown.includes(evil), `${selector} does not show the text unchanged: ${shown}`);
     }
 });
 
-test("pictures have a text and buttons a name", async () => {
+test("pictures have an alternative text and buttons have a name", async () => {
     for (const name of pages) {
         await open(name);
-        assert.equal(await page.locator("img:not([alt]), img[alt='']").count(), 0, `${name}: pictures without a text`);
+        assert.equal(await page.locator("img:not([alt]), img[alt='']").count(), 0, `${name}: pictures without an alternative text`);
         const signs = await all("button", buttons => buttons.map(b => b.ariaLabel || b.textContent)
             .filter(label => !/[A-Za-z]/.test(label)));
-        assert.deepEqual(signs, [], `${name}: buttons whose name is no word`);
-        assert.equal(await page.locator("h1").count(), 1, `${name}: headings of the first order`);
+        assert.deepEqual(signs, [], `${name}: buttons whose name is not a word`);
+        assert.equal(await page.locator("h1").count(), 1, `${name}: first-level headings`);
     }
 });
 
@@ -410,7 +410,7 @@ test("nothing scrolls sideways", async () => {
         }
 });
 
-/** The contrast of each text with its ground (WCAG 2.1). */
+/** Returns the contrast of each text with its background (WCAG 2.1). */
 const contrasts = elements => {
     const channels = colour => colour.match(/[\d.]+/g).map(Number);
     const linear = v => v / 255 <= .04045 ? v / 255 / 12.92 : ((v / 255 + .055) / 1.055) ** 2.4;
@@ -430,33 +430,33 @@ const contrasts = elements => {
 test("both colour schemes are legible", async () => {
     for (const colorScheme of ["light", "dark"])
         for (const name of ["wrong", "good", "unbuilt"]) {
-            await open(name, desktop, { colorScheme, reducedMotion: "reduce" }); // no colour is on its way to another
+            await open(name, desktop, { colorScheme, reducedMotion: "reduce" }); // no colour transition is in progress
             await openDetails();
             const [red, green, blue] = (await style("body", "backgroundColor")).match(/\d+/g).map(Number);
-            assert.equal((red + green + blue) / 3 > 128, colorScheme === "light", `the paper in the ${colorScheme} scheme`);
+            assert.equal((red + green + blue) / 3 > 128, colorScheme === "light", `the background in the ${colorScheme} scheme`);
             const found = await all("body *", contrasts);
-            assert.ok(found.length > 10, "there are hardly any texts");
+            assert.ok(found.length > 10, "too few texts");
             for (const [element, contrast] of found)
-                assert.ok(contrast >= 4.5, `${name}, ${colorScheme}: ${element} has a contrast of ${contrast}, wanted 4.5`);
+                assert.ok(contrast >= 4.5, `${name}, ${colorScheme}: ${element} has a contrast of ${contrast}, expected at least 4.5`);
         }
 });
 
-test("nothing moves for a reader who does not like it", async () => {
+test("nothing moves if the reader prefers reduced motion", async () => {
     await open("wrong", desktop, { reducedMotion: "reduce" });
     assert.equal(await style("#copy", "transitionDuration"), "0s");
     assert.equal(await style("html", "scrollBehavior"), "auto");
     await open("wrong", desktop, { reducedMotion: "no-preference" });
-    assert.notEqual(await style("#copy", "transitionDuration"), "0s", "the setting changes nothing");
+    assert.notEqual(await style("#copy", "transitionDuration"), "0s", "the setting has no effect");
 });
 
-test("no page asks a network or complains", async () => { // last: it looks at what all of them have left
+test("no page uses the network or logs a message", async () => { // last: examines the log of all pages
     for (const name of pages) await open(name);
-    assert.ok(requests.length >= pages.length, `${requests.length} requests only`);
+    assert.ok(requests.length >= pages.length, `only ${requests.length} requests`);
     assert.deepEqual(requests.filter(url => !/^(file|data):/.test(url)), []);
-    assert.deepEqual([...complaints], [], "what the console says");
+    assert.deepEqual([...complaints], [], "console messages");
 });
 
-test("screenshots, for those who change the page", { skip: !process.env.SCREENSHOTS }, async () => {
+test("screenshots for developers of the page", { skip: !process.env.SCREENSHOTS }, async () => {
     for (const name of pages)
         for (const size of [phone, desktop])
             for (const colorScheme of ["light", "dark"]) {

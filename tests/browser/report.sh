@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The report in a real browser: writes reports of each kind, then clicks, drags, zooms and types in them.
-# report.sh TEST_TUTOR FOLDER: exit 0 all is well, 1 something is wrong, 77 there is no browser to try it in.
+# Checks the report in a real browser: writes reports of each kind and runs report.mjs on them.
+# report.sh TEST_TUTOR FOLDER: exit 0 all checks pass, 1 a check fails, 77 there is no browser.
 set -eu
 
 here=$(cd "$(dirname "$0")" && pwd)

@@ -1,4 +1,4 @@
-// Facts about the whole comparison: the verdict, the place, the known mistake, NaN, the JSON and the map.
+// Facts about the whole comparison: verdict, location, known mistakes, NaN, JSON and error map.
 #include "tools/compare/comparison.h"
 #include "tests/compare/pictures.h"
 
@@ -27,7 +27,7 @@ ComparisonInput noisy_input(const NoisyPicture& test, const NoisyPicture& refere
     return {{test.mean}, {reference.mean}, {test.variance, reference.variance}};
 }
 
-/// The pixels x0 <= x < x1, y0 <= y < y1 times a factor.
+/// Multiplies the pixels x0 <= x < x1, y0 <= y < y1 by a factor.
 Image patched(Image image, Region box, vec3 factor) {
     for (int y = box.y0; y < box.y1; ++y)
         for (int x = box.x0; x < box.x1; ++x) image(x, y) *= factor;
@@ -48,7 +48,7 @@ const Image right = lopsided(144, 96);
 
 } // namespace
 
-TEST_CASE("the verdict is same, look or different, by how far the floats and the eye are apart") {
+TEST_CASE("the verdict is same, borderline or different, by the floats and by FLIP") {
     CHECK(compared(right, right).verdict == Verdict::same);
     CHECK(all_lines(compared(right, right)) == "same picture (largest difference 0, mean 0)\n");
     const Image nearly = patched(right, {60, 40, 72, 48}, vec3(1.02f));
@@ -61,7 +61,7 @@ TEST_CASE("the verdict is same, look or different, by how far the floats and the
     CHECK(different.lines[0].rfind("different: 512 of 13824 pixels", 0) == 0);
 }
 
-TEST_CASE("step 04 may differ a little more before it is called different") {
+TEST_CASE("step 04 has a higher limit before the verdict is different") {
     ComparisonInput input{{patched(right, {0, 0, 144, 9}, vec3(1.06f))}, {right}};
     const double seen = compare_images(input).flip.mean;
     REQUIRE(seen > borderline_flip(0));
@@ -71,7 +71,7 @@ TEST_CASE("step 04 may differ a little more before it is called different") {
     CHECK(compare_images(input).verdict == Verdict::borderline);
 }
 
-TEST_CASE("the words say where, in which direction and by how much, and give the worst pixel's values") {
+TEST_CASE("the words state place, direction, amount and the values of the worst pixel") {
     const Comparison bright = compared(patched(right, lower_left, vec3(1.12f)), right);
     CHECK_ERROR(bright.location.words, "too bright by 12 % in the lower left", "3.7 % of the picture",
                 "x 9 to 38, y 72 to 87");
@@ -86,7 +86,7 @@ TEST_CASE("the words say where, in which direction and by how much, and give the
     CHECK(compared(right, right).location.words.empty());
 }
 
-TEST_CASE("a place has a name") {
+TEST_CASE("a region is described in words") {
     CHECK(place_in_words({0, 0, 90, 90}, 90, 90) == "all over the picture");
     CHECK(place_in_words({0, 0, 20, 20}, 90, 90) == "in the upper left");
     CHECK(place_in_words({70, 70, 90, 90}, 90, 90) == "in the lower right");
@@ -99,7 +99,7 @@ TEST_CASE("a place has a name") {
     CHECK(place_in_words({35, 0, 55, 90}, 90, 90) == "in the middle");
 }
 
-TEST_CASE("noisy pictures are the same up to noise, or different in a place") {
+TEST_CASE("noisy pictures are the same up to noise or different in a place") {
     const NoisyPicture a(right, 1), b(right, 2);
     const Comparison noise = compare_images(noisy_input(a, b));
     CHECK(noise.verdict == Verdict::noise);
@@ -112,15 +112,14 @@ TEST_CASE("noisy pictures are the same up to noise, or different in a place") {
     CHECK(different.tiles->outliers == 8);
     CHECK_ERROR(all_lines(different), "different: 8 of 216 tiles", "in the lower left", "too bright by",
                 "worst tile: the 8 x 8 pixels at ", "none of these");
-    // One tile with an alarm more than chance allows is worth a look.
+    // One outlier tile more than chance permits is borderline.
     const NoisyPicture little(patched(right, {8, 72, 24, 80}, vec3(1.12f)), 6);
     const Comparison look = compare_images(noisy_input(little, b));
     CHECK(look.verdict == Verdict::borderline);
     CHECK_ERROR(look.lines[0], "look at the map");
 }
 
-TEST_CASE(
-    "pixels that are not numbers are named with the first, in memory and from a file, and never noise") {
+TEST_CASE("NaN pixels are reported with the first one, in memory and from a file, and are never noise") {
     Image wrong = right;
     wrong(70, 50).y = std::numeric_limits<float>::quiet_NaN();
     wrong(30, 51).x = infinity;
@@ -136,18 +135,19 @@ TEST_CASE(
         CHECK_FALSE(contains(to_json(comparison), ":inf"));
     }
     NoisyPicture a(right, 1);
-    a.mean(70, 50) = a.variance(70, 50) = vec3(1, 0, 1); // what a file holds of a NaN: z alone would not mind
+    a.mean(70, 50) = a.variance(70, 50) =
+        vec3(1, 0, 1); // what a file stores for a NaN; z alone would not detect it
     const Comparison comparison = compare_images(noisy_input(a, NoisyPicture(right, 2)));
     CHECK(comparison.verdict == Verdict::different);
     CHECK_ERROR(comparison.lines[0], "1 pixel not a number", "the first at 70,50");
-    const Image pink = patched(right, {3, 3, 4, 4}, vec3(0.0f)); // a reference may have magenta in it
+    const Image pink = patched(right, {3, 3, 4, 4}, vec3(0.0f)); // a reference may contain magenta
     Image magenta = pink;
     magenta(3, 3) = vec3(1, 0, 1);
     CHECK(compared(magenta, magenta).verdict == Verdict::same);
 }
 
-TEST_CASE("a PNG is compared with a .hdr as far as a PNG can tell") {
-    const Image bright = changed(right, [](vec3 c) { return c * 2.0f; }); // some of it is beyond white
+TEST_CASE("a PNG is compared with a .hdr as far as the PNG has information") {
+    const Image bright = changed(right, [](vec3 c) { return c * 2.0f; }); // some of it exceeds white
     for (const Image& image : {right, bright}) {
         CHECK(compare_images({through_file(image, ".png"), through_file(image, ".hdr")}).verdict ==
               Verdict::same);
@@ -159,7 +159,7 @@ TEST_CASE("a PNG is compared with a .hdr as far as a PNG can tell") {
                 "too bright by 1", "in the lower left", "3.7 %");
 }
 
-TEST_CASE("a known mistake is named when the picture is its picture, and only then") {
+TEST_CASE("a known mistake is named if the picture matches it, and only then") {
     const Image mistake = patched(right, lower_left, vec3(2.0f)), other = mirrored(right, true, false);
     ComparisonInput input{{mistake}, {right}};
     add_to_catalogue(input, "other", other);
@@ -168,14 +168,14 @@ TEST_CASE("a known mistake is named when the picture is its picture, and only th
     CHECK_ERROR(all_lines(compare_images(input)), "known mistakes: this is the picture of mistake");
     input.test = {patched(mistake, {60, 40, 64, 44}, vec3(1.02f))}; // nearly
     CHECK(compare_images(input).match.names == std::vector<std::string>{"mistake"});
-    input.test = {patched(right, lower_left, vec3(1.5f))}; // half-way
+    input.test = {patched(right, lower_left, vec3(1.5f))}; // halfway
     CHECK(compare_images(input).match.names.empty());
     CHECK_ERROR(all_lines(compare_images(input)), "known mistakes: none of 2 pictures");
-    input.test = {right}; // right, though a known picture is as well
+    input.test = {right}; // correct, although a known picture matches as well
     add_to_catalogue(input, "invisible", right);
     CHECK(compare_images(input).match.names.empty());
     input.test = {
-        patched(right, {60, 40, 66, 48}, vec3(1.02f))}; // about as near to "invisible" as to the right one
+        patched(right, {60, 40, 66, 48}, vec3(1.02f))}; // about as close to "invisible" as to the reference
     CHECK(compare_images(input).match.names.empty());
     input.test = {mistake};
     add_to_catalogue(input, "twin", mistake);
@@ -184,7 +184,7 @@ TEST_CASE("a known mistake is named when the picture is its picture, and only th
     CHECK_ERROR(error_of([&] { compare_images(input); }), "known picture small", "3 x 3");
 }
 
-TEST_CASE("a known mistake is named under noise, with its own variance or without") {
+TEST_CASE("a known mistake is named under noise with or without its own variance") {
     const Image mistake = patched(right, lower_left, vec3(1.8f)), other = mirrored(right, true, false);
     ComparisonInput input = noisy_input(NoisyPicture(mistake, 1), NoisyPicture(right, 2));
     const NoisyPicture known(mistake, 3), unlike(other, 4);
@@ -197,7 +197,7 @@ TEST_CASE("a known mistake is named under noise, with its own variance or withou
     CHECK(compare_images(input).match.names.empty());
 }
 
-TEST_CASE("the JSON has what programs ask for") {
+TEST_CASE("the JSON contains what programs need") {
     const Comparison different = compared(mirrored(right, true, false), right);
     CHECK_ERROR(to_json(different),
                 "{\"verdict\":\"different\",\"explanation\":\"flipped left to right\","
@@ -216,7 +216,7 @@ TEST_CASE("the JSON has what programs ask for") {
     CHECK_ERROR(to_json(compare_images(named)), "\"nearest\":[\"a \\\"quoted\\\" \\\\ name\"]");
 }
 
-TEST_CASE("the map is black where nothing differs, and tells too bright from too dark under noise") {
+TEST_CASE("the map is black where nothing differs and distinguishes too bright from too dark under noise") {
     const Image wrong = patched(right, lower_left, vec3(2.0f));
     const Image seen = error_map(compared(wrong, right));
     CHECK(seen.width == 144);
@@ -231,7 +231,7 @@ TEST_CASE("the map is black where nothing differs, and tells too bright from too
     CHECK(dark.z > 2 * dark.x);
 }
 
-TEST_CASE("pictures of other sizes or channels are an error that states both") {
+TEST_CASE("pictures of different sizes or channels are an error that states both") {
     CHECK_ERROR(error_of([] { compared(Image(3, 2), Image(2, 3)); }), "3 x 2", "2 x 3");
     const EncodedImage grey{right, Encoding::png, 1}, rgb{right, Encoding::png, 3};
     CHECK_ERROR(error_of([&] { compare_images({grey, rgb}); }), "1 channel", "3 channels");

@@ -1,5 +1,4 @@
-// Facts about comparing: equal pictures pass, a bias is found where it is and with its sign, noise does not
-// alarm.
+// Facts about comparing: equal pictures pass, a bias is located, and noise causes no false alarm.
 #include "tools/compare/difference.h"
 
 #include "common/util/error.h"
@@ -40,7 +39,7 @@ TEST_CASE("a picture is the same as itself") {
     CHECK(conclude(compared(noisy, noisy)).same);
 }
 
-TEST_CASE("the largest difference is found where it is, with its size and sign") {
+TEST_CASE("the largest difference is located with its size and sign") {
     Image test = scene();
     test(120, 80) *= 1.12f;
     const Difference d = compare_pixels(test, scene());
@@ -72,7 +71,7 @@ TEST_CASE("the tolerance is absolute for dark pixels and relative for bright one
 }
 
 TEST_CASE(
-    "a small change of the whole picture fails by its mean, though each pixel is within the tolerance") {
+    "a small change of the whole picture fails by its mean although each pixel is within the tolerance") {
     Image test = scene();
     for (vec3& pixel : test.pixels) pixel += vec3(0.0005f);
     const Difference d = compare_pixels(test, scene());
@@ -81,7 +80,7 @@ TEST_CASE(
     CHECK_ERROR(conclude(d).words, "mean 0.0005", "% brighter");
 }
 
-TEST_CASE("one pixel in a thousand may differ, two may not") {
+TEST_CASE("one pixel in a thousand may differ and two may not") {
     Image test = scene();
     for (int i = 0; i < 16; ++i) test.pixels[std::size_t(i) * 1000] += vec3(0.01f);
     CHECK(conclude(compare_pixels(test, scene())).same);
@@ -89,7 +88,7 @@ TEST_CASE("one pixel in a thousand may differ, two may not") {
     CHECK_FALSE(conclude(compare_pixels(test, scene())).same);
 }
 
-TEST_CASE("a pixel that is not a number is the largest difference there is") {
+TEST_CASE("a pixel that is NaN is the largest possible difference") {
     Image test = scene();
     test(3, 4).y = std::numeric_limits<float>::quiet_NaN();
     const Difference d = compare_pixels(test, scene());
@@ -110,7 +109,7 @@ TEST_CASE("pictures of different sizes are an error that states both") {
     CHECK_ERROR(error_of([&] { compare_tiles(a, b, a, a); }), "160 x 100", "100 x 160");
 }
 
-TEST_CASE("two right renders with different seeds are the same picture up to noise") {
+TEST_CASE("two correct renders with different seeds are the same picture up to noise") {
     const Image truth = scene();
     int outliers = 0, tiles = 0, failures = 0;
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
@@ -120,12 +119,12 @@ TEST_CASE("two right renders with different seeds are the same picture up to noi
         tiles += d.tiles;
         failures += conclude(d).same ? 0 : 1;
     }
-    CHECK_MESSAGE(failures == 0, (std::to_string(failures) + " of 20 right pairs were called different"));
+    CHECK_MESSAGE(failures == 0, (std::to_string(failures) + " of 20 correct pairs were called different"));
     CHECK_MESSAGE(outliers <= 3,
                   (std::to_string(outliers) + " false outliers in " + std::to_string(tiles) + " tiles"));
 }
 
-TEST_CASE("z is a standard normal number when nothing but noise differs") {
+TEST_CASE("z has a standard normal distribution if only noise differs") {
     const Image truth = scene();
     double squares = 0;
     int count = 0;
@@ -136,11 +135,11 @@ TEST_CASE("z is a standard normal number when nothing but noise differs") {
         squares += z * z;
         ++count;
     }
-    CHECK(squares / count > 0.7); // 1 within four standard errors of .1, and the samples' own skew
+    CHECK(squares / count > 0.7); // 1, within four standard errors of .1 and the skewness of the samples
     CHECK(squares / count < 1.4);
 }
 
-TEST_CASE("a bias is found in its tile, with its sign and size") {
+TEST_CASE("a bias is located in its tile with its sign and size") {
     Image changed = scene();
     for (int y = 48; y < 56; ++y) {
         for (int x = 104; x < 112; ++x) changed(x, y) *= 1.2f;
@@ -159,7 +158,7 @@ TEST_CASE("a bias is found in its tile, with its sign and size") {
     CHECK_ERROR(conclude(swapped).words, "darker by");
 }
 
-TEST_CASE("a change of the whole picture by a tenth lights many tiles") {
+TEST_CASE("a change of the whole picture by a tenth marks many tiles") {
     Image changed = scene();
     for (vec3& pixel : changed.pixels) pixel *= 0.9f;
     const TileDifference d = compared(NoisyPicture(changed, 7), NoisyPicture(scene(), 8));
@@ -167,7 +166,7 @@ TEST_CASE("a change of the whole picture by a tenth lights many tiles") {
     CHECK(d.largest_z < -4);
 }
 
-TEST_CASE("where nothing is noisy, tiles are compared as they are") {
+TEST_CASE("tiles without noise are compared directly") {
     const Image still(width, height);
     Image test = scene();
     test(10, 10) += vec3(0.03f); // 0.03 / 64 is within the tolerance for the tile's mean
@@ -181,7 +180,7 @@ TEST_CASE("where nothing is noisy, tiles are compared as they are") {
     CHECK_FALSE(conclude(d).same);
 }
 
-TEST_CASE("rounding to .hdr is not taken for a difference where there is next to no noise") {
+TEST_CASE("rounding to .hdr is not reported as a difference if there is almost no noise") {
     Image test = scene(), reference = scene(), variance(width, height);
     Random random(1);
     for (std::size_t i = 0; i < test.pixels.size(); ++i) {

@@ -1,5 +1,4 @@
-// Facts about explaining: each slip is named where it was made, in floats, in files and under noise, and
-// nothing is claimed where nothing can be known.
+// Facts about explanations: each known cause is named, and none is claimed without evidence.
 #include "tools/compare/explain.h"
 #include "tests/compare/pictures.h"
 
@@ -35,7 +34,7 @@ vec3 power(vec3 colour, float exponent) {
 
 } // namespace
 
-TEST_CASE("a picture that is moved about is explained, in floats, files and under noise") {
+TEST_CASE("a mirrored or rotated picture is explained, in floats, in files and under noise") {
     const Image right = lopsided(96, 64), square = lopsided(64, 64);
     for (const std::string& how : storages) {
         INFO(how);
@@ -50,7 +49,7 @@ TEST_CASE("a picture that is moved about is explained, in floats, files and unde
     CHECK(explained_noisy(transposed(square), square) == "rows and columns swapped");
 }
 
-TEST_CASE("a picture whose colours are changed is explained, in floats, files and under noise") {
+TEST_CASE("a picture with changed colours is explained, in floats, in files and under noise") {
     const Image right = lopsided(96, 64);
     const std::vector<std::pair<std::string, std::function<vec3(vec3)>>> slips{
         {"red and blue swapped", [](vec3 c) { return vec3(c.z, c.y, c.x); }},
@@ -68,16 +67,17 @@ TEST_CASE("a picture whose colours are changed is explained, in floats, files an
     CHECK(explained_noisy(changed(right, slips[0].second), right) == slips[0].first);
 }
 
-TEST_CASE("one gain for the whole picture is explained, and named where it has a name") {
+TEST_CASE("one gain for the whole picture is explained and named if it has a name") {
     const Image right = lopsided(96, 64);
     const double exact_pi = 3.14159265358979;
     const std::vector<std::pair<std::string, double>> gains{
         {"pi", exact_pi},       {"1/pi", 1 / exact_pi},           {"2", 2},     {"1/2", 0.5},
         {"4 pi", 4 * exact_pi}, {"1/(4 pi)", 1 / (4 * exact_pi)}, {"1.3", 1.3}, {"0.88", 0.88}};
     for (const auto& [named, gain] : gains) {
-        const std::string name = named; // what INFO keeps for later must be no binding
+        const std::string name = named; // INFO is evaluated later and cannot capture a structured binding
         const auto brighter = [gain = float(gain)](vec3 c) { return c * gain; };
-        const Image dim = changed(right, [](vec3 c) { return c * 0.06f; }); // so that a PNG holds 4 pi of it
+        const Image dim =
+            changed(right, [](vec3 c) { return c * 0.06f; }); // so that a PNG can hold 4 pi of it
         INFO(name);
         CHECK(explained(changed(right, brighter), right) == "all of it times " + name);
         CHECK(explained(changed(right, brighter), right, ".hdr") == "all of it times " + name);
@@ -87,13 +87,13 @@ TEST_CASE("one gain for the whole picture is explained, and named where it has a
     }
 }
 
-TEST_CASE("a gain is found though the PNG is cut off at white") {
+TEST_CASE("a gain is found although the PNG is clamped at white") {
     const Image right = lopsided(96, 64);
     const Image bright = changed(right, [](vec3 c) { return c * 2.0f; });
     CHECK(explained(bright, right, ".png") == "all of it times 2");
 }
 
-TEST_CASE("half a pixel of shift is explained, and a whole one is not called half a pixel") {
+TEST_CASE("a shift by half a pixel is explained and a shift by a whole pixel is not called half a pixel") {
     const Image right = lopsided(96, 64);
     for (const std::string how : {"floats", ".hdr"}) {
         INFO(how);
@@ -105,7 +105,7 @@ TEST_CASE("half a pixel of shift is explained, and a whole one is not called hal
     }
 }
 
-TEST_CASE("half a pixel of shift is explained under noise") {
+TEST_CASE("a shift by half a pixel is explained under noise") {
     // Steep enough that the noise of 64 samples does not hide it.
     const auto stripes = [](float left) {
         Image image(96, 64);
@@ -116,9 +116,9 @@ TEST_CASE("half a pixel of shift is explained under noise") {
     CHECK(explained_noisy(stripes(0.5f), stripes(0)) == "shifted half a pixel to the left");
 }
 
-TEST_CASE("what is none of these is not guessed at") {
+TEST_CASE("a picture with an unknown cause is not explained") {
     const Image right = lopsided(96, 64);
-    Image ball = right; // a ball too much
+    Image ball = right; // an additional ball
     for (int y = 20; y < 40; ++y)
         for (int x = 20; x < 40; ++x) ball(x, y) = vec3(0.9f, 0.1f, 0.1f);
     const Image lifted = changed(right, [](vec3 c) { return c + 0.1f; });
@@ -129,22 +129,22 @@ TEST_CASE("what is none of these is not guessed at") {
         CHECK(explained(ball, right, how) == none_of_these);
         CHECK(explained(lifted, right, how) == none_of_these);
         CHECK(explained(random, right, how) == none_of_these);
-        CHECK(explained(mirrored(ball, true, false), right, how) == none_of_these); // two slips at once
+        CHECK(explained(mirrored(ball, true, false), right, how) == none_of_these); // two causes together
     }
     CHECK(explained_noisy(ball, right) == none_of_these);
 }
 
-TEST_CASE("equal pictures need no explanation, however symmetric they are") {
+TEST_CASE("equal pictures need no explanation even if they are symmetric") {
     const Image right = lopsided(96, 64), flat = changed(right, [](vec3) { return vec3(0.5f); });
     const Image black(96, 64);
     for (const Image& image : {right, flat, black})
         for (const std::string& how : storages) CHECK(explained(image, image, how).empty());
     CHECK(explained_noisy(right, right).empty());
-    // A PNG of the right picture is not explained away by its rounding either.
+    // The rounding in a PNG of the correct picture needs no explanation either.
     CHECK(explain(through_file(right, ".png"), through_file(right, ".hdr"), {}).empty());
 }
 
-TEST_CASE("black, constant and symmetric pictures are not explained by what would not change them") {
+TEST_CASE("black, constant and symmetric pictures are not explained by changes that leave them unchanged") {
     const Image right = lopsided(96, 64), black(96, 64);
     const auto flat = [&](float value) { return changed(right, [value](vec3) { return vec3(value); }); };
     for (const std::string& how : storages) {
@@ -154,19 +154,19 @@ TEST_CASE("black, constant and symmetric pictures are not explained by what woul
         CHECK(explained(flat(0.2f), flat(0.5f), how) == none_of_these); // any gain would fit
         CHECK(explained(flat(1), right, how) == none_of_these);
     }
-    CHECK(explained(flat(0.5f), flat(0.25f)) == "all of it times 2"); // but 2 is a slip that is made
+    CHECK(explained(flat(0.5f), flat(0.25f)) == "all of it times 2"); // but 2 is a common mistake
     Image symmetric = right;
     for (int y = 0; y < 64; ++y)
         for (int x = 48; x < 96; ++x) symmetric(x, y) = symmetric(95 - x, y);
     CHECK(explained(mirrored(symmetric, false, true), symmetric) ==
-          "flipped upside down"); // the simplest of two
+          "flipped upside down"); // the simpler of two
     CHECK(explained(changed(symmetric, [](vec3 c) { return c + 0.2f; }), symmetric) == none_of_these);
     Image defect = symmetric;
     for (int i = 0; i < 60; ++i) defect(3 + i % 10, 5 + i / 10) = vec3(0.9f);
     CHECK(explained(defect, symmetric) == none_of_these);
 }
 
-TEST_CASE("a picture with a pixel that is not a number is not explained") {
+TEST_CASE("a picture with a pixel that is NaN is not explained") {
     const Image right = lopsided(96, 64);
     Image wrong = mirrored(right, true, false);
     wrong(3, 4).y = infinity;

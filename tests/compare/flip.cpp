@@ -1,4 +1,4 @@
-// Facts about FLIP: the values that two other implementations agree on, and what must hold for any pictures.
+// Facts about FLIP: values on which two other implementations agree, and general properties.
 #include "tools/compare/flip.h"
 
 #include "common/util/error.h"
@@ -24,7 +24,7 @@ float decoded(double srgb) {
     return float(srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4));
 }
 
-/// From the sRGB value of each pixel.
+/// Builds a picture from the sRGB value of each pixel.
 template <typename Value>
 Image grey_picture(Value value) {
     Image image(side, side);
@@ -64,7 +64,7 @@ double hashed(int x, int y, int k) {
     return double(h) / 4294967296.0;
 }
 
-/// A picture with edges, colours and noise.
+/// Builds a picture with edges, colours and noise.
 Image lively(int width, int height, std::uint64_t seed) {
     Image image(width, height);
     Random random(seed);
@@ -82,7 +82,7 @@ void check_golden(const Image& reference, const Image& test, double mean, double
 
 } // namespace
 
-TEST_CASE("FLIP of flat pictures is what two other implementations find") {
+TEST_CASE("FLIP of flat pictures equals the values of two other implementations") {
     check_golden(filled(vec3(0.0f)), filled(vec3(1.0f)), 0.967388, 0.967388);
     check_golden(filled({0, 1, 0}), filled({0, 0, 1}), 1, 1);
     check_golden(grey(0.5), grey(0.6), 0.285063, 0.285063);
@@ -90,7 +90,8 @@ TEST_CASE("FLIP of flat pictures is what two other implementations find") {
     check_golden(srgb(0.8, 0.2, 0.1), srgb(0.72, 0.18, 0.09), 0.301997, 0.301997);
 }
 
-TEST_CASE("FLIP of a shifted checker, a firefly and a noisy ramp is what two other implementations find") {
+TEST_CASE("FLIP of a shifted checkerboard, a firefly and a noisy ramp equals the values of two other "
+          "implementations") {
     check_golden(checker(0), checker(-1), 0.286646, 0.987794);
     Image firefly = grey(0.5);
     firefly(32, 32) = vec3(1.0f);
@@ -102,11 +103,11 @@ TEST_CASE("FLIP of a shifted checker, a firefly and a noisy ramp is what two oth
     check_golden(grey_picture(ramp), grey_picture(noisy), 0.034334, 0.135017);
 }
 
-TEST_CASE("the usual screen has 67.0206 pixels a degree") {
+TEST_CASE("the default display has 67.0206 pixels per degree") {
     CHECK(std::abs(usual_pixels_per_degree - 67.0206) < 5e-5);
 }
 
-TEST_CASE("FLIP is zero for equal pictures and does not care which is the reference") {
+TEST_CASE("FLIP is zero for equal pictures and symmetric in its arguments") {
     const Image a = lively(50, 40, 1), b = lively(50, 40, 2);
     const FlipMap same = flip(a, a);
     CHECK(same.mean == 0);
@@ -118,7 +119,7 @@ TEST_CASE("FLIP is zero for equal pictures and does not care which is the refere
     CHECK(ab.max == *std::max_element(ab.errors.begin(), ab.errors.end()));
 }
 
-TEST_CASE("pictures that are smaller than what FLIP looks at: as if their borders went on for ever") {
+TEST_CASE("pictures smaller than FLIP's filters are treated as if their borders continued without end") {
     for (const auto& [width, height] :
          {std::pair(1, 1), std::pair(1, 9), std::pair(3, 2), std::pair(40, 1)}) {
         Image black(width, height), white(width, height);
@@ -131,7 +132,7 @@ TEST_CASE("pictures that are smaller than what FLIP looks at: as if their border
     CHECK(flip(Image(), Image()).mean == 0);
 }
 
-TEST_CASE("rows and columns swapped in both pictures swap the errors") {
+TEST_CASE("swapping rows and columns in both pictures transposes the errors") {
     const Image a = lively(30, 30, 3), b = lively(30, 30, 4);
     const auto swapped = [](const Image& image) {
         Image result(image.height, image.width);
@@ -148,7 +149,7 @@ TEST_CASE("rows and columns swapped in both pictures swap the errors") {
     CHECK(furthest < 1e-4f);
 }
 
-TEST_CASE("light beyond white looks white, and a pixel that is not a number is as wrong as can be") {
+TEST_CASE("light above white is shown as white and a pixel that is NaN has the maximum error") {
     Image bright = filled(vec3(7.0f));
     CHECK(flip(filled(vec3(1.0f)), bright).mean == 0);
     bright(5, 6).y = std::numeric_limits<float>::quiet_NaN();

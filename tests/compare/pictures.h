@@ -1,4 +1,4 @@
-// Pictures for the checks of the comparison: one without any symmetry, and what noise and files make of it.
+// Pictures for the checks of the comparison: without symmetry, with noise, after a file round trip.
 #pragma once
 
 #include "tools/compare/explain.h"
@@ -11,7 +11,7 @@
 
 namespace rt::compare {
 
-/// Smooth light with a ball in it and no symmetry, as seen through a window at (left, top).
+/// Builds smooth light with a ball and no symmetry, seen through a window at (left, top).
 inline Image lopsided(int width, int height, float left = 0, float top = 0) {
     Image image(width, height);
     for (int y = 0; y < height; ++y)
@@ -45,7 +45,7 @@ inline Image transposed(const Image& image) {
     return result;
 }
 
-/// What a file makes of a picture.
+/// Writes a picture to a file and reads it back.
 inline EncodedImage through_file(const Image& image, const std::string& ending) {
     const malformed::Folder folder;
     const std::string path = folder / ("picture" + ending);
@@ -53,8 +53,8 @@ inline EncodedImage through_file(const Image& image, const std::string& ending) 
     return read_encoded(path);
 }
 
-/// What a right renderer makes of a scene: 64 samples a pixel, exponentially distributed as light often is, and their
-/// variance.
+/// The mean and variance of a simulated correct render: 64 samples per pixel with an exponential
+/// distribution, which is typical of light.
 struct NoisyPicture {
     Image mean, variance;
 

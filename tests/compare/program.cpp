@@ -1,4 +1,4 @@
-// Facts about the program compare: its exit code, what it prints and writes, and its one line on bad input.
+// Facts about the program compare: its exit code, its output and files, and its one-line errors.
 #include "tests/compare/pictures.h"
 #include "tests/malformed/png.h"
 
@@ -22,7 +22,7 @@ struct Said {
     std::string out, err;
 };
 
-/// Runs compare with a shell's words.
+/// Runs compare with these words of a shell command.
 Said run_compare(const Folder& folder, const std::string& words) {
     const std::string out = folder / "out.txt", err = folder / "err.txt";
     const std::string line = "\"" RT_COMPARE "\" " + words + " >\"" + out + "\" 2>\"" + err + "\"";
@@ -33,7 +33,7 @@ Said run_compare(const Folder& folder, const std::string& words) {
     return {code, bytes_of(out), bytes_of(err)};
 }
 
-/// One line on stderr that names all parts, nothing on stdout, exit code 2.
+/// Checks for one line on stderr that contains all parts, nothing on stdout, and exit code 2.
 template <typename... Parts>
 void check_refused(const Said& said, const Parts&... parts) {
     CHECK(said.code == 2);
@@ -43,7 +43,7 @@ void check_refused(const Said& said, const Parts&... parts) {
     CHECK_ERROR(said.err, parts...);
 }
 
-/// A folder with a right picture, one that is flipped, and the right one in grey.
+/// A folder with a correct picture and a flipped one.
 struct Pictures {
     Folder folder;
     std::string right = folder / "right.hdr", flipped = folder / "flipped.hdr";
@@ -55,7 +55,7 @@ struct Pictures {
     Said operator()(const std::string& words) const { return run_compare(folder, words); }
 };
 
-/// A PNG of 2 x 2 pixels.
+/// Returns a PNG of 2 x 2 pixels.
 std::string tiny_png(int colour_type, std::size_t channels) {
     const std::string row = std::string(1, '\0') + std::string(2 * channels, '\x80');
     return png(2, 2, 8, colour_type, row + row);
@@ -63,7 +63,7 @@ std::string tiny_png(int colour_type, std::size_t channels) {
 
 } // namespace
 
-TEST_CASE("compare ends with 0 for the same picture and with 1 for another one, and says why") {
+TEST_CASE("compare exits with 0 for the same picture and with 1 for a different one, and states the reason") {
     const Pictures run;
     const Said same = run(run.right + " " + run.right);
     CHECK(same.code == 0);
@@ -83,7 +83,7 @@ TEST_CASE("compare ends with 0 for the same picture and with 1 for another one, 
     CHECK(look.out.rfind("look at the map", 0) == 0);
 }
 
-TEST_CASE("compare with variances minds only what noise does not explain") {
+TEST_CASE("compare with variances reports only what noise does not explain") {
     const Pictures run;
     const Image wrong = changed(lopsided(96, 64), [](vec3 c) { return c * 1.1f; });
     const std::vector<std::pair<std::string, NoisyPicture>> noisy{
@@ -107,7 +107,7 @@ TEST_CASE("compare with variances minds only what noise does not explain") {
     check_refused(run(file("a") + file("b") + "--variance-a " + file("av")), "--variance-b");
 }
 
-TEST_CASE("compare writes its verdict as JSON to a file or to the standard output, and the map") {
+TEST_CASE("compare writes its verdict as JSON to a file or to standard output, and the map") {
     const Pictures run;
     const std::string both = run.flipped + " " + run.right, json = run.folder / "verdict.json";
     const Said to_file = run(both + " --json " + json + " --map " + (run.folder / "map.png"));
@@ -125,7 +125,7 @@ TEST_CASE("compare writes its verdict as JSON to a file or to the standard outpu
     CHECK(brightest > 0.05f);
 }
 
-TEST_CASE("compare names the known picture that it was given, from a folder") {
+TEST_CASE("compare names the matching known picture from a folder") {
     const Pictures run;
     std::filesystem::create_directory(run.folder / "known");
     write_image(run.folder / "known/reflect-plus.hdr", mirrored(lopsided(96, 64), true, false));
@@ -145,7 +145,8 @@ TEST_CASE("compare names the known picture that it was given, from a folder") {
     check_refused(run(run.flipped + " " + run.right + known), "small.hdr");
 }
 
-TEST_CASE("compare refuses what is missing, damaged, or of another size or number of channels, in one line") {
+TEST_CASE(
+    "compare rejects pictures that are missing, damaged or of different sizes or channels with one line") {
     const Pictures run;
     const Folder& folder = run.folder;
     check_refused(run(folder / "nope.png" + " " + run.right), "nope.png", "no such file");
@@ -166,7 +167,7 @@ TEST_CASE("compare refuses what is missing, damaged, or of another size or numbe
     CHECK(run(grey + " " + grey).code == 0);
 }
 
-TEST_CASE("compare refuses words it does not know and files it cannot write, before it compares") {
+TEST_CASE("compare rejects unknown words and unwritable files before it compares") {
     const Pictures run;
     const std::string both = run.flipped + " " + run.right;
     check_refused(run(run.right), "B is required");

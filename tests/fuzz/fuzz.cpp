@@ -1,4 +1,4 @@
-// The list of the targets, and the files that they read.
+// The list of fuzz targets, and their input files.
 #include "tests/fuzz/fuzz.h"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
-// What the fuzz targets share. A target takes any bytes: it may refuse them with an Error of one line, and must keep every
-// promise of the code that it calls; all else that happens is a finding.
+// What the fuzz targets share.
+// A target accepts any bytes: it may reject them with an Error of one line, and must keep every promise of
+// the code that it calls; any other outcome is a finding.
 #pragma once
 
 #include "common/util/error.h"
@@ -10,23 +11,23 @@
 
 namespace rt::fuzz {
 
-/// Throws std::logic_error with the promise that is broken.
+/// Throws std::logic_error with the broken promise if `holds` is false.
 void require(bool holds, const char* promise);
 
-/// The folder of this process for input files; it is removed at the end.
+/// Returns the folder of this process for input files; it is removed at the end.
 const std::string& folder();
 
 /// Writes a file into folder() and returns its path.
 std::string write_input(const std::string& name, std::string_view bytes);
 
-/// Calls `action` and returns the line with which it refuses its input, or "" if it accepts it.
+/// Calls `action` and returns the line with which it rejects its input, or "" if it accepts it.
 template <typename Action>
 std::string refusal(const Action& action) {
     try {
         action();
     } catch (const Error& error) {
         const std::string line = error.what();
-        require(!line.empty() && line.find('\n') == std::string::npos, "a refusal is one line");
+        require(!line.empty() && line.find('\n') == std::string::npos, "a rejection is one line");
         return line;
     }
     return "";
@@ -45,7 +46,7 @@ struct Target {
 
 std::span<const Target> targets();
 
-/// The target of this name, or null.
+/// Returns the target of this name, or null.
 const Target* find_target(std::string_view name);
 
 void run_catalogue(std::string_view bytes);

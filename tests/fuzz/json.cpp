@@ -1,4 +1,4 @@
-// JSON: the report of the benchmarks from any numbers, and both writers of texts, whose output is read back.
+// Fuzz target for JSON: the benchmark report from any numbers, and both writers of strings, read back.
 #include "common/util/json.h"
 #include "tests/fuzz/fuzz.h"
 #include "tools/bench/report.h"
@@ -12,8 +12,8 @@ using namespace tutor;
 
 namespace {
 
-/// The length of the character of UTF-8 that the text begins with; 0 if it begins with none (RFC 3629,
-/// section 4).
+/// Returns the length of the UTF-8 character at the start of the text; 0 if it is
+/// invalid (RFC 3629, section 4).
 std::size_t character_at(std::string_view text) {
     const auto byte = [&](std::size_t i) {
         return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u;
@@ -44,11 +44,11 @@ bool has_control(std::string_view text) {
 
 std::string read_back(const std::string& json) {
     const Json read = Json::parse(json);
-    require(read.is_string(), "a text is written as a text");
+    require(read.is_string(), "a string is written as a string");
     return read.get<std::string>();
 }
 
-/// The numbers as one benchmark's, of each kind.
+/// Checks the report with these numbers as the results of each type of benchmark.
 void check_report(std::string_view bytes) {
     const Json numbers = Json::parse(bytes, nullptr, false);
     if (numbers.is_discarded()) return;
@@ -64,11 +64,11 @@ void check_report(std::string_view bytes) {
 void run_json(std::string_view bytes) {
     check_report(bytes);
     const std::string text = json::text(Json(bytes)), safe = embedded(bytes);
-    require(!has_control(text) && !has_control(safe), "no control character stands in JSON");
+    require(!has_control(text) && !has_control(safe), "JSON contains no control character");
     require(is_utf8(text) && is_utf8(safe), "JSON is UTF-8");
-    require(safe.find_first_of("<>&") == std::string::npos, "an embedded text ends no element");
+    require(safe.find_first_of("<>&") == std::string::npos, "an embedded text cannot end an element");
     const bool same = read_back(text) == bytes && read_back(safe) == bytes;
-    require(same || !is_utf8(bytes), "what is written is read back");
+    require(same || !is_utf8(bytes), "written text is read back unchanged");
 }
 
 } // namespace rt::fuzz

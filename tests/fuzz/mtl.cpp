@@ -1,4 +1,4 @@
-// An MTL file, named by a small OBJ file: every number of its materials is in its range.
+// Fuzz target for an MTL file of a small OBJ file: all numbers of its materials are in range.
 #include "common/model/obj_file.h"
 #include "tests/fuzz/fuzz.h"
 

@@ -1,4 +1,4 @@
-// An OBJ file through the whole reader: what ObjModel promises, and the same result however it is divided.
+// Fuzz target for the whole OBJ reader: the promises of ObjModel, and the same result for any chunk size.
 #include "common/model/obj_file.h"
 #include "tests/fuzz/fuzz.h"
 
@@ -43,7 +43,7 @@ void check_file(const ObjModel& file) {
     require(file.triangles.size() == file.triangle_materials.size(), "each triangle has a material");
     const std::size_t groups = file.smoothing_groups.size();
     require(groups == 0 || groups == file.triangles.size(),
-            "each triangle has a smoothing group, or none has");
+            "either all triangles have a smoothing group or none");
     for (const auto& triangle : file.triangles)
         for (const ObjIndex& corner : triangle) check_corner(file, corner);
     for (const int material : file.triangle_materials)
@@ -79,7 +79,7 @@ void run_obj(std::string_view bytes) {
     for (const ObjReadOptions& reading : {ObjReadOptions{2, 1}, ObjReadOptions{3, 29}}) {
         ObjModel parts;
         require(refusal([&] { parts = read_obj(path, reading); }) == refused,
-                "chunks are refused as the whole is");
+                "the error does not depend on chunks");
         require(!refused.empty() || same(parts, whole), "the result does not depend on chunks");
     }
 }

@@ -1,4 +1,4 @@
-// A command line, a word per line: what parse() accepts is in the ranges that were declared.
+// Fuzz target for a command line, one word per line: accepted options are in their declared ranges.
 #include "common/image/image_file.h"
 #include "common/cli/options.h"
 #include "tests/fuzz/fuzz.h"
@@ -15,7 +15,7 @@ namespace {
 
 enum class Accel { brute, bvh, wide };
 
-/// --help prints on stdout.
+/// Silences stdout, because --help prints there.
 struct Silence {
     Silence() { std::cout.setstate(std::ios::failbit); }
     ~Silence() { std::cout.clear(); }

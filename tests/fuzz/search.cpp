@@ -1,4 +1,5 @@
-// libFuzzer's way in: fuzz --target=obj [libFuzzer's flags, folders or files]; fuzz --list prints the targets.
+// Entry points of libFuzzer.
+// fuzz --target=obj [libFuzzer's flags, folders or files]; fuzz --list prints the targets.
 #include "tests/fuzz/fuzz.h"
 
 #include <cstdint>

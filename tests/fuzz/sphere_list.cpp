@@ -1,4 +1,4 @@
-// A list of spheres: every number is in its range.
+// Fuzz target for a list of spheres: all numbers are in range.
 #include "common/model/sphere_list.h"
 #include "tests/fuzz/fuzz.h"
 

@@ -1,4 +1,4 @@
-// The parsers of the project's own files: the catalogue of mistakes, and what the tutor and the weaver read.
+// Fuzz targets for the project's own files: the catalogue, and the inputs of tutor and weaver.
 #include "tests/fuzz/fuzz.h"
 #include "tools/tutor/catalogue.h"
 #include "tools/tutor/build.h"
@@ -34,7 +34,7 @@ void check_exercises(const std::string& text) {
     without_markers(text);
     for (const Exercise& exercise : exercises) {
         const int place = place_of(exercise, stub);
-        require(place >= 1, "lines count from 1");
+        require(place >= 1, "lines are counted from 1");
         is_untouched(exercise, text, stub);
     }
 }
@@ -42,16 +42,16 @@ void check_exercises(const std::string& text) {
 void check_page(const std::string& page) {
     const std::vector<std::string> lines = lines_of(page);
     for (const weave::Block& block : weave::find_blocks(lines, "docs/x.md"))
-        require(block.begin <= block.end && block.end <= lines.size(), "a block stands in its page");
+        require(block.begin <= block.end && block.end <= lines.size(), "a block is inside its page");
     const auto as_it_is = [](const weave::Block&, const std::string& now) { return now; };
     const std::string once = weave::weave_page(page, "docs/x.md", as_it_is);
-    require(weave::weave_page(once, "docs/x.md", as_it_is) == once, "a page that is woven stays as it is");
+    require(weave::weave_page(once, "docs/x.md", as_it_is) == once, "weaving a page twice changes nothing");
     weave::fence(page);
 }
 
 } // namespace
 
-/// The catalogue's text and, after a line %%, the header to which its changes are made.
+/// The input is the catalogue's text and, after a line %%, the header to which its changes are applied.
 void run_catalogue(std::string_view bytes) {
     const std::size_t mark = std::min(bytes.find("\n%%\n"), bytes.size());
     const std::string text(bytes.substr(0, mark));
@@ -61,7 +61,7 @@ void run_catalogue(std::string_view bytes) {
     for (const Mistake& mistake : mistakes) refusal([&] { with_mistake(mistake, header); });
 }
 
-/// The first letter names the parser, and the lines after the first are what it reads.
+/// The first letter selects the parser; the lines after the first are its input.
 void run_tutor(std::string_view bytes) {
     const auto [first, text] = first_line(bytes);
     refusal([&, &what = first, &read = text] {
@@ -76,10 +76,10 @@ void run_tutor(std::string_view bytes) {
     });
 }
 
-/// As run_tutor(); for a region its name follows the letter.
+/// Like run_tutor(); for a region, its name follows the letter.
 void run_weave(std::string_view bytes) {
     static const bool has_pages = std::filesystem::create_directories(folder() + "/docs");
-    require(has_pages, "a new folder is empty");
+    require(has_pages, "the new folder is empty");
     const auto [first, text] = first_line(bytes);
     refusal([&, &what = first, &read = text] {
         switch (what.empty() ? ' ' : what[0]) {

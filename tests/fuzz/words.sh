@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
-# What ./learn fuzz says to wrong words: one line, exit 2, before anything is built. words.sh LEARN: exit 0 if it does.
+# Checks that ./learn fuzz rejects wrong arguments with one line and exit code 2 before anything is built.
+# words.sh LEARN: exit 0 if it does.
 set -u
 
 learn=$1
 bad=0
 
-refuses() { # $1: what the line says; the rest: the words
+refuses() { # $1: a part of the line; the rest: the arguments
     local part=$1 said code
     shift
     said=$("$learn" fuzz "$@" 2>&1)
@@ -24,7 +25,7 @@ refuses "--minutes: 1 required" --minutes
 refuses "--minutes: Value 1.5 not in range" obj --minutes 1.5
 refuses "--seconds: Value 0 not in range" --seconds 0
 refuses "--seed: Value -1 not in range" --seed -1
-# Without a compiler that can search.
+# Without a compiler that has libFuzzer.
 PATH_WITHOUT=$(mktemp -d)
 trap 'rm -rf "$PATH_WITHOUT"' EXIT
 printf '#!/bin/sh\nexit 1\n' >"$PATH_WITHOUT/clang++"

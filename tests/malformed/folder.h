@@ -1,5 +1,4 @@
-// A folder for files that a check makes at run time, broken ones above all, and an ear for what is said about
-// them.
+// A temporary folder for the files of a check, mostly malformed ones, and capture of errors.
 #pragma once
 
 #include "common/util/error.h"
@@ -20,7 +19,7 @@ namespace rt::malformed {
 
 namespace fs = std::filesystem;
 
-/// A folder of its own under the system's temporary one, removed with all that is in it.
+/// A unique folder below the system's temporary one, removed with its contents.
 class Folder {
   public:
     Folder() : path(fs::temp_directory_path() / ("raysteps_" + std::to_string(std::random_device{}()))) {
@@ -35,7 +34,7 @@ class Folder {
 
     std::string operator/(const std::string& name) const { return (path / name).string(); }
 
-    /// Answers the file's path.
+    /// Writes a file and returns its path.
     std::string write(const std::string& name, std::string_view bytes) const {
         fs::create_directories((path / name).parent_path());
         std::ofstream(path / name, std::ios::binary).write(bytes.data(), std::streamsize(bytes.size()));
@@ -51,7 +50,7 @@ inline std::string bytes_of(const std::string& path) {
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// The message of the Error that `action` throws, or "no error". It must be one line.
+/// Returns the message of the Error that `action` throws, or "no error". The message must be one line.
 template <typename Action>
 std::string error_of(Action action) {
     try {
@@ -68,7 +67,7 @@ inline bool contains(std::string_view text, std::string_view part) {
     return text.find(part) != std::string_view::npos;
 }
 
-/// What goes to stderr while one lives.
+/// Captures stderr during its lifetime.
 class Stderr {
   public:
     Stderr() : before(std::cerr.rdbuf(stream.rdbuf())) {}
@@ -85,7 +84,7 @@ class Stderr {
 
 } // namespace rt::malformed
 
-/// The message of an error names all of these.
+/// Checks that an error message contains all these parts.
 #define CHECK_ERROR(message, ...)                                                                            \
     do {                                                                                                     \
         const std::string text_of_error = (message);                                                         \

@@ -1,4 +1,4 @@
-// A JPEG file made by hand, of flat squares of 8 x 8 pixels, and so also a wrong one.
+// Builds JPEG files of flat 8 x 8 squares by hand, so that they can be malformed as well.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 
 namespace rt::malformed {
 
-/// Bits, the first one highest, with a 0 behind each byte of 255 (ITU T.81, B.1.1.5).
+/// A bit stream, most significant bit first, with a 0 after each byte of 255 (ITU T.81, B.1.1.5).
 struct JpegBits {
     std::string bytes;
     unsigned pending = 0;
@@ -20,8 +20,8 @@ struct JpegBits {
             if ((pending & 255) == 255) bytes += '\0';
         }
     }
-    /// How far a square's mean is from the one before it: its number of bits, as a code of four, and these
-    /// bits.
+    /// Appends the difference to the previous square's mean: the number of its bits, as a
+    /// code of four, and these bits.
     void add_difference(int difference) {
         int bits = 0;
         while (difference >> bits != 0 && difference >> bits != -1) ++bits;
@@ -38,10 +38,10 @@ inline std::string jpeg_segment(int marker, const std::string& data) {
 
 struct JpegKind {
     bool progressive = false;
-    bool adobe = false; ///< the values are no YCbCr, and ink is stored the other way round
+    bool adobe = false; ///< the values are not YCbCr, and CMYK values are inverted
 };
 
-/// `values`: those of each square, one per channel, row by row.
+/// Returns a JPEG file. `values`: those of each square, one per channel, row by row.
 inline std::string jpeg(int width, int height, int channels, const std::string& values, JpegKind kind = {}) {
     std::string frame{8, char(height >> 8), char(height), char(width >> 8), char(width), char(channels)};
     std::string scan{char(channels)};
@@ -54,7 +54,7 @@ inline std::string jpeg(int width, int height, int channels, const std::string& 
     for (std::size_t i = 0; i < values.size(); ++i) {
         const int before = i < std::size_t(channels) ? 128 : std::uint8_t(values[i - std::size_t(channels)]);
         bits.add_difference(8 * (std::uint8_t(values[i]) - before));
-        if (!kind.progressive) bits.add(0, 1); // no more than the mean
+        if (!kind.progressive) bits.add(0, 1); // only the mean
     }
     while (bits.count % 8 != 0) bits.add(1, 1);
     std::string means_table{'\0', '\0', '\0', '\0', 12}, end_table{'\x10', 1};

@@ -1,4 +1,4 @@
-// A PNG file made by hand, of any bit depth and colour type, and so also a wrong one.
+// Builds PNG files of any bit depth and colour type by hand, so that they can be malformed as well.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@ inline std::string chunk(const std::string& kind, const std::string& data) {
     return big_endian(std::uint32_t(data.size())) + kind + data + big_endian(crc(kind + data));
 }
 
-/// zlib without compression (RFC 1950 and 1951): one stored block of less than 64 KB.
+/// Returns a zlib stream without compression (RFC 1950 and 1951): one stored block of less than 64 KB.
 inline std::string stored(const std::string& data) {
     std::uint32_t a = 1, b = 0;
     for (const char byte : data) {
@@ -36,12 +36,12 @@ inline std::string stored(const std::string& data) {
            big_endian(b << 16 | a);
 }
 
-/// zlib of about 258 * `runs` zeros in 13 bits each: fixed codes, length 258, distance 1.
+/// Returns a zlib stream of about 258 * `runs` zeros in 13 bits each: fixed codes, length 258, distance 1.
 inline std::string zeros(int runs) {
     std::string bytes("\x78\x01", 2);
     unsigned pending = 0;
     int count = 0;
-    const auto add = [&](unsigned value, int bits) { // Huffman codes stand with their first bit lowest
+    const auto add = [&](unsigned value, int bits) { // a Huffman code's first bit goes to the lowest position
         for (int i = bits - 1; i >= 0; --i) {
             pending |= (value >> i & 1) << count % 8;
             if (++count % 8 == 0) bytes += char(std::exchange(pending, 0));
@@ -50,12 +50,12 @@ inline std::string zeros(int runs) {
     add(0b110, 3);      // the last block, of fixed codes
     add(0b00110000, 8); // a zero
     for (int i = 0; i < runs; ++i) add(0b1100010100000, 13);
-    add(0, 16); // the end, and up to a whole byte
+    add(0, 16); // the end, and padding to a whole byte
     return bytes;
 }
 
-/// A PNG whose data is already packed, with further chunks before them. Colour type 0 grey, 2 RGB, 3 palette,
-/// 4 grey and alpha, 6 RGBA.
+/// Returns a PNG whose data are compressed already, with further chunks before them. Colour types: 0 grey, 2
+/// RGB, 3 palette, 4 grey and alpha, 6 RGBA.
 inline std::string packed_png(std::uint32_t width, std::uint32_t height, int depth, int colour_type,
                               const std::string& data, const std::string& chunks = "") {
     const std::string header =
@@ -63,7 +63,7 @@ inline std::string packed_png(std::uint32_t width, std::uint32_t height, int dep
     return "\x89PNG\r\n\x1a\n" + chunk("IHDR", header) + chunks + chunk("IDAT", data) + chunk("IEND", "");
 }
 
-/// `rows`: each row's samples behind a filter byte of 0.
+/// Returns a PNG. `rows`: each row's samples after a filter byte of 0.
 inline std::string png(std::uint32_t width, std::uint32_t height, int depth, int colour_type,
                        const std::string& rows, const std::string& chunks = "") {
     return packed_png(width, height, depth, colour_type, stored(rows), chunks);

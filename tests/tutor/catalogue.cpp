@@ -1,4 +1,4 @@
-// The catalogue of mistakes: what is wrong in a file of it is said with file and line, and what is right can be made.
+// Facts about the catalogue of mistakes: errors name file and line, and every mistake can be applied.
 #include "tests/tutor/folder.h"
 
 #include "common/util/error.h"
@@ -37,7 +37,7 @@ const std::string good = "# Mistakes of step 01: numbers\n"
                          "* Why: a half is half.\n"
                          "* Fix: divide by 2.\n";
 
-/// What is said of the catalogue in which `part` was replaced.
+/// Returns the error for the catalogue in which `part` is replaced.
 std::string complaint(const std::string& part, const std::string& instead) {
     std::string text = good;
     text.replace(text.find(part), part.size(), instead);
@@ -52,7 +52,7 @@ std::string complaint(const std::string& part, const std::string& instead) {
 
 } // namespace
 
-TEST_CASE("a mistake is read with all that it says") {
+TEST_CASE("a mistake is read with all of its fields") {
     const auto mistakes = parse_catalogue(good, "exercises/01_one/mistakes.md");
     REQUIRE(mistakes.size() == 1);
     CHECK(mistakes[0].step == "01_one");
@@ -70,7 +70,7 @@ TEST_CASE("a mistake changes its lines and nothing else") {
     CHECK(with_mistake(parse_catalogue(good, "exercises/01_one/mistakes.md")[0], header) == expected);
 }
 
-TEST_CASE("a fault of the catalogue is said in one line, with file and line") {
+TEST_CASE("an error in the catalogue is one line with file and line number") {
     CHECK(complaint("# Mistakes of step 01", "# Mistakes of step 02")
               .starts_with("exercises/01_one/mistakes.md:1: "));
     CHECK(complaint("not-halved: ", "not-halved ")
@@ -87,7 +87,7 @@ TEST_CASE("a fault of the catalogue is said in one line, with file and line") {
               .find("there are two mistakes not-halved") != std::string::npos);
 }
 
-TEST_CASE("a change that applies nowhere, or in two places, is a fault") {
+TEST_CASE("a change that applies nowhere or in two places is an error") {
     CHECK(complaint("y / 2", "y / 3").find("does not apply to 01_one/half.h") != std::string::npos);
     CHECK(complaint("-    return y / 2;\n+    return y;", "-    const float y = x;\n+    return y;")
               .find("does not apply") != std::string::npos);

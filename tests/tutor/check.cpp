@@ -1,4 +1,4 @@
-// What ./learn check does with code that does not compile, crashes or never ends.
+// Facts about ./learn check with code that does not compile, crashes or does not terminate.
 #include "tests/check.h"
 #include "common/util/error.h"
 #include "tests/tutor/folder.h"
@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A program in place of a test executable: three checks, of which the second does what `deed` says.
+/// Writes a substitute for a test executable: three checks, of which the second runs `deed`.
 fs::path program(const fs::path& folder, const std::string& deed) {
     const fs::path path = folder / "test_step";
     put(path, "#!/bin/sh\n"
@@ -43,7 +43,7 @@ std::vector<CheckResult> checks_of(const std::string& deed, int seconds = 20) {
 
 } // namespace
 
-TEST_CASE("checks that end are reported as they are") {
+TEST_CASE("checks that end are reported unchanged") {
     const auto checks = checks_of("true");
     REQUIRE(checks.size() == 3);
     CHECK(checks[0].state == CheckState::ok);
@@ -63,7 +63,7 @@ TEST_CASE("a check that crashes is named, and the others still run") {
     CHECK(checks[2].state == CheckState::failed);
 }
 
-TEST_CASE("a check that never ends is stopped and named, and the others still run") {
+TEST_CASE("a check that does not terminate is stopped and named, and the others still run") {
     const auto checks = checks_of("while :; do :; done", 1);
     REQUIRE(checks.size() == 3);
     CHECK(checks[1].state == CheckState::endless);
@@ -72,7 +72,7 @@ TEST_CASE("a check that never ends is stopped and named, and the others still ru
     CHECK(checks[2].state == CheckState::failed);
 }
 
-TEST_CASE("after three checks that never end nobody waits for the others") {
+TEST_CASE("after three checks that do not terminate the others are not run") {
     const SmallProject small;
     put(small.root / "test_step", "#!/bin/sh\nprintf 'case\\tx\\n'\nwhile :; do :; done\n");
     fs::permissions(small.root / "test_step", fs::perms::owner_all);
@@ -81,14 +81,14 @@ TEST_CASE("after three checks that never end nobody waits for the others") {
     CHECK(checks[3].failures.front().values.find("not run") != std::string::npos);
 }
 
-TEST_CASE("a check that ends the program is named") {
+TEST_CASE("a check that exits the program is named") {
     const auto checks = checks_of("exit 3");
     REQUIRE(checks.size() == 3);
     REQUIRE(checks[1].failures.size() == 1);
     CHECK(checks[1].failures[0].values.find("code 3") != std::string::npos);
 }
 
-TEST_CASE("who builds has the folder alone until the end, or until the process ends") {
+TEST_CASE("a build locks its folder until it ends or its process ends") {
     const TemporaryFolder folder;
     const fs::path build = folder.path / "release";
     const auto is_free = [&] {
@@ -104,15 +104,15 @@ TEST_CASE("who builds has the folder alone until the end, or until the process e
     CHECK(is_free());
     const pid_t child = fork();
     if (child == 0) {
-        new BuildLock(build / ""); // never given back
+        new BuildLock(build / ""); // never released
         raise(SIGKILL);
     }
     waitpid(child, nullptr, 0);
     CHECK(is_free());
-    const BuildLock nowhere("/nowhere/at/all"); // is none, and no error
+    const BuildLock nowhere("/nowhere/at/all"); // no lock, but no error either
 }
 
-TEST_CASE("temporary folders are new, each, and gone in the end") {
+TEST_CASE("temporary folders are unique and are removed at the end") {
     fs::path folder;
     {
         const TemporaryFolder first, second;
@@ -124,7 +124,7 @@ TEST_CASE("temporary folders are new, each, and gone in the end") {
     CHECK_THROWS_AS(TemporaryFolder("/nowhere/at/all"), Error);
 }
 
-TEST_CASE("a program's output is collected, and its exit code and crash are known") {
+TEST_CASE("a program's output is captured, and its exit code and crash are reported") {
     std::string output;
     CHECK(run_process({"sh", "-c", "echo a; echo b >&2; exit 3"}, {.log = "/dev/null", .output = &output})
               .code == 3);
@@ -134,7 +134,7 @@ TEST_CASE("a program's output is collected, and its exit code and crash are know
     CHECK_THROWS_AS(run_process({"/nowhere/at/all"}), Error);
 }
 
-TEST_CASE("of a compiler's hundred lines the first error in a file of the learner's is the one to show") {
+TEST_CASE("of a compiler's many lines the first error in one of the learner's files is shown") {
     const std::string log =
         "[1/3] Building CXX object x.o\n"
         "In file included from tests/03_mirror.cpp:4:\n"

@@ -1,4 +1,4 @@
-// From the lines of a check to the name of a mistake.
+// Facts about the diagnosis: from the output of checks to the name of a mistake.
 #include "tests/tutor/folder.h"
 
 #include "common/util/error.h"
@@ -39,7 +39,7 @@ std::vector<CheckResult> seen(const std::vector<std::string>& checks, const std:
 
 } // namespace
 
-TEST_CASE("the lines of the checks are read, and a check without an end is unfinished") {
+TEST_CASE("the output of checks is parsed and a check without an end is unfinished") {
     const auto results = parse_results(lines);
     REQUIRE(results.size() == 4);
     CHECK(results[0].state == CheckState::failed);
@@ -54,7 +54,7 @@ TEST_CASE("the lines of the checks are read, and a check without an end is unfin
     CHECK_FALSE(has_failed(results[2]));
 }
 
-TEST_CASE("numbers are rounded to four digits, and what is no number stays") {
+TEST_CASE("numbers are rounded to four digits and other text is unchanged") {
     CHECK(rounded("6.00000001 == 4 within 1e-05") == "6 == 4 within 1e-05");
     CHECK(rounded("(0.123456, -12345.6, 7)") == "(0.1235, -1.235e+04, 7)");
     CHECK(rounded("vec3 x2 {?} -nan") == "vec3 x2 {?} nan");
@@ -62,7 +62,7 @@ TEST_CASE("numbers are rounded to four digits, and what is no number stays") {
     CHECK(rounded("1.50000 1. 2e 2e+ 3e-07x 4E2 .5 x5 -0") == "1.5 1 2e 2e+ 3e-07x 400 .5 x5 -0");
 }
 
-TEST_CASE("a signature holds each assertion once, with how often it failed") {
+TEST_CASE("a signature contains each assertion once with the number of its failures") {
     const Signature signature = signature_of("far", parse_results(lines));
     REQUIRE(signature.assertions.size() == 2);
     CHECK(signature.assertions[0].times == 2);
@@ -91,7 +91,7 @@ TEST_CASE("signatures are written and read back") {
     }
 }
 
-TEST_CASE("where a check does not end that is said, with the function, and no mistake is guessed at") {
+TEST_CASE("a check that does not terminate is reported with its function and no mistake is guessed") {
     const std::vector<Signature> all{known("far", {"a", "b"}, "6 == 4")};
     auto broken_off = seen({"a", "b"}, "6 == 4");
     broken_off[1].state = CheckState::endless;
@@ -107,7 +107,7 @@ TEST_CASE("where a check does not end that is said, with the function, and no mi
         CHECK_MESSAGE(words.find(part) != std::string::npos, words);
 }
 
-TEST_CASE("the mistake whose signature is seen is named, for certain") {
+TEST_CASE("a mistake whose signature is seen is named with certainty") {
     const std::vector<Signature> all{known("near", {"a", "b"}, "2 == 4"), known("far", {"a", "b"}, "6 == 4"),
                                      known("none", {"a", "b", "c"}, "6 == 4")};
     const Diagnosis diagnosis = diagnose(all, {seen({"a", "b"}, "6 == 4")});
@@ -117,13 +117,13 @@ TEST_CASE("the mistake whose signature is seen is named, for certain") {
     CHECK(diagnosis.first.failures[0].notes[0] == "why");
 }
 
-TEST_CASE("mistakes that cannot be told apart are named together") {
+TEST_CASE("mistakes that cannot be distinguished are named together") {
     const std::vector<Signature> all{known("one", {"a"}, "6 == 4"), known("two", {"a"}, "6 == 4"),
                                      known("three", {"b"}, "6 == 4")};
     CHECK(diagnose(all, {seen({"a"}, "6 == 4")}).ids == std::vector<std::string>{"one", "two"});
 }
 
-TEST_CASE("of several files of checks the one that fits a known mistake counts, whatever fails in others") {
+TEST_CASE("of several test files the one that matches a known mistake counts whatever fails in the others") {
     const std::vector<Signature> all{known("far", {"a", "b"}, "6 == 4"), known("near", {"c", "d"}, "2 == 4")};
     const Diagnosis diagnosis = diagnose(all, {seen({"c", "x", "y"}, "9 == 4"), seen({"a", "b"}, "6 == 4")});
     CHECK(diagnosis.confidence == Confidence::certain);
@@ -131,7 +131,7 @@ TEST_CASE("of several files of checks the one that fits a known mistake counts, 
     CHECK(diagnosis.first.name == "c");
 }
 
-TEST_CASE("a mistake that nobody knows is not called by a name, but its first check is") {
+TEST_CASE("an unknown mistake is not named but its first failing check is") {
     const std::vector<Signature> all{known("far", {"a", "b"}, "6 == 4")};
     const Diagnosis diagnosis = diagnose(all, {seen({"c", "d"}, "1 == 4")});
     CHECK(diagnosis.confidence == Confidence::none);
@@ -139,7 +139,7 @@ TEST_CASE("a mistake that nobody knows is not called by a name, but its first ch
     CHECK(diagnosis.first.name == "c");
 }
 
-TEST_CASE("a pattern that lacks a check is still named, but not for certain") {
+TEST_CASE("a signature that lacks a check is named as likely") {
     const std::vector<Signature> all{known("far", {"a", "b", "c", "d"}, "6 == 4"),
                                      known("other", {"a", "x", "y"}, "6 == 4")};
     const Diagnosis diagnosis = diagnose(all, {seen({"a", "b", "c"}, "6 == 4")});
@@ -147,7 +147,8 @@ TEST_CASE("a pattern that lacks a check is still named, but not for certain") {
     CHECK(diagnosis.ids == std::vector<std::string>{"far"});
 }
 
-TEST_CASE("a diagnosis is explained: the mistake, why, and what to do; or else the first check") {
+TEST_CASE(
+    "a diagnosis is explained by the mistake, its cause and its fix, or else by the first failing check") {
     const std::vector<Mistake> catalogue{{.step = "01_one",
                                           .id = "far",
                                           .title = "the far root",
@@ -167,13 +168,13 @@ TEST_CASE("a diagnosis is explained: the mistake, why, and what to do; or else t
     CHECK(explanation({}, catalogue).empty());
 }
 
-TEST_CASE("where nothing fails nothing is diagnosed") {
+TEST_CASE("without failures, nothing is diagnosed") {
     auto results = seen({"a"}, "6 == 4");
     results[0].state = CheckState::ok;
     CHECK(diagnose({known("far", {"a"}, "6 == 4")}, {results}).confidence == Confidence::none);
 }
 
-TEST_CASE("every mistake of the project whose signature is noted is diagnosed as itself, or in its group") {
+TEST_CASE("every mistake of the project with a recorded signature is diagnosed as itself or in its group") {
     for (const char* step : {"01_spheres", "02_shadows", "03_mirror", "04_refraction", "05_mesh_bvh",
                              "06_textures", "07_antialias", "08_indirect"}) {
         const auto signatures = read_signatures(RT_ROOT, step);

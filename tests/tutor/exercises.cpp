@@ -1,4 +1,4 @@
-// Facts about exercises: found in the reference, cut from it, found again in a learner's file.
+// Facts about exercises: found in the reference, removed from it, and found again in a learner's file.
 #include "tools/tutor/exercises.h"
 
 #include "common/util/error.h"
@@ -23,7 +23,7 @@ std::vector<std::string> names_of(const std::vector<Exercise>& exercises) {
     return names;
 }
 
-/// What the reader says to a file with a fault in it.
+/// Returns the error that the reader reports for this text.
 std::string complaint(const std::string& text) {
     try {
         find_exercises(text, "some.h");
@@ -35,7 +35,7 @@ std::string complaint(const std::string& text) {
 
 } // namespace
 
-TEST_CASE("the eight steps have 44 exercises, each with a name of its own in its step") {
+TEST_CASE("the eight steps have 44 exercises with unique names within a step") {
     std::size_t count = 0;
     for (const std::string& step : all_steps(real)) {
         const std::vector<std::string> names = names_of(exercises_of(real, step));
@@ -46,14 +46,14 @@ TEST_CASE("the eight steps have 44 exercises, each with a name of its own in its
     CHECK(count == 44);
 }
 
-TEST_CASE("every exercise of the course has its three hints, and no hint is left over") {
+TEST_CASE("every exercise of the course has three hints and there are no others") {
     for (const std::string& step : all_steps(real)) {
         CAPTURE(step);
         CHECK_NOTHROW(read_hints(RT_ROOT, step, exercises_of(real, step)));
     }
 }
 
-TEST_CASE("an exercise is named after its function, and knows where it stands") {
+TEST_CASE("an exercise is named after its function and has its line numbers") {
     const std::vector<Exercise> found = find_exercises(SmallProject::shape, "shape.h");
     REQUIRE(found.size() == 2);
     CHECK(found[0].function == "half");
@@ -62,23 +62,23 @@ TEST_CASE("an exercise is named after its function, and knows where it stands") 
     CHECK(found[0].task == "divide by two");
     CHECK(found[0].placeholder == "return x;");
     CHECK(found[0].reference == std::vector<std::string>{"    return x / 2;"});
-    CHECK(found[1].function == "sign"); // its signature has two lines, and a template's above
+    CHECK(found[1].function == "sign"); // its signature has two lines, preceded by a template line
     CHECK(found[1].placeholder == "");
 }
 
-TEST_CASE("functions of one name are told apart by their file, regions of one function by a number") {
+TEST_CASE("functions of one name are distinguished by their file and regions of one function by a number") {
     const SmallProject small;
     CHECK(names_of(exercises_of(small.project, "02_two")) ==
           std::vector<std::string>{"twin_base", "twin_above", "both", "both_2"});
 }
 
-TEST_CASE("a region without end is an error that names file and line") {
+TEST_CASE("a region without an end is an error that names file and line") {
     CHECK(complaint("int f() {\n    //> task\n    return 1;\n}\n") ==
           "some.h:2: this region has no end (//<)");
     CHECK(complaint("int f() {\n    //> a\n    //> b\n    //<\n}\n").find("some.h:2: ") == 0);
 }
 
-TEST_CASE("a region that has no beginning, no task or no function is an error that names file and line") {
+TEST_CASE("a region without a beginning, a task or a function is an error that names file and line") {
     CHECK(complaint("int f() {\n    //< return 1;\n}\n").find("some.h:2: ") == 0);
     CHECK(complaint("int f() {\n    //>\n    //<\n}\n").find("some.h:2: ") == 0);
     CHECK(complaint("int f() {\n}\n//> task\n//<\n").find("some.h:3: ") == 0);
@@ -93,14 +93,14 @@ TEST_CASE("a stub has the task and the placeholder where the reference has the a
           "    int result = 1;\n    // TODO: negative below zero\n    return result;\n}\n");
 }
 
-TEST_CASE("one exercise is cut alone, and the others stay") {
+TEST_CASE("one exercise is cut and the others stay") {
     const std::vector<Exercise> found = find_exercises(SmallProject::shape, "shape.h");
     const std::string stub = make_stub(SmallProject::shape, {found[1]});
     CHECK(stub.find("return x / 2;") != std::string::npos);
     CHECK(stub.find("result = -1") == std::string::npos);
 }
 
-TEST_CASE("no stub of the course shows a line of the answer's region or a marker") {
+TEST_CASE("no stub of the course shows a line of an answer or a marker") {
     for (const std::string& step : all_steps(real))
         for (const std::string& file : files_to_write(exercises_of(real, step))) {
             const std::string text = text_of(steps_folder(real) / step / file);
@@ -114,21 +114,21 @@ TEST_CASE("no stub of the course shows a line of the answer's region or a marker
         }
 }
 
-TEST_CASE("a function that was not edited is untouched, whatever happened around it") {
+TEST_CASE("a function that was not edited is untouched whatever changed around it") {
     const std::vector<Exercise> found = find_exercises(SmallProject::shape, "shape.h");
     const std::string stub = make_stub(SmallProject::shape, found);
     CHECK(is_untouched(found[0], stub, stub));
     std::string mine = "// my own remark\n" + stub;
     mine.replace(mine.find("    // TODO: divide by two\n"), 27, "");
     mine.replace(mine.find("return x;"), 9, "return  x; // later");
-    CHECK(is_untouched(found[0], mine, stub)); // comments and blanks are no answer
+    CHECK(is_untouched(found[0], mine, stub)); // comments and blanks are not an answer
     mine.replace(mine.find("return  x;"), 10, "return x / 2;");
     CHECK_FALSE(is_untouched(found[0], mine, stub));
     CHECK(is_untouched(found[1], mine, stub));
     CHECK_FALSE(is_untouched(found[0], "", stub));
 }
 
-TEST_CASE("an exercise is found at its TODO, and at its function once that is gone") {
+TEST_CASE("an exercise is found at its TODO or else at its function") {
     const std::vector<Exercise> found = find_exercises(SmallProject::shape, "shape.h");
     const std::string stub = make_stub(SmallProject::shape, found);
     CHECK(place_of(found[1], stub) == 13);
@@ -142,7 +142,7 @@ TEST_CASE("the headers that a header needs come before it") {
           std::vector<std::string>{"01_one/shape.h", "02_two/base.h", "02_two/above.h"});
 }
 
-TEST_CASE("a function with a loop or a call of itself may not end, another one does") {
+TEST_CASE("a function with a loop or a recursive call may not terminate; others do") {
     const auto may = [](const std::string& body) {
         const std::string text =
             "inline int f(int x) {\n" + body + "\n}\ninline int g(int x) {\n    for (;;) {}\n}\n";
@@ -154,7 +154,7 @@ TEST_CASE("a function with a loop or a call of itself may not end, another one d
     CHECK(may("    return f(x);"));
 }
 
-TEST_CASE("an empty file and an empty stub are no trouble") {
+TEST_CASE("an empty file and an empty stub cause no error") {
     CHECK_FALSE(is_untouched({.function = "f"}, "", ""));
     CHECK(place_of({.function = "f"}, "") == 1);
 }

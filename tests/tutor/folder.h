@@ -1,4 +1,4 @@
-// A small project of its own for a check, gone at the end: steps with exercises, hints, and a workshop.
+// A small temporary project for a check: steps with exercises, hints, and a workshop.
 #pragma once
 
 #include "tools/tutor/workshop.h"
@@ -12,7 +12,7 @@
 
 namespace rt::tutor {
 
-/// What a file holds; "" if there is none.
+/// Returns the contents of a file; "" if there is none.
 inline std::string text_of(const std::filesystem::path& path) {
     std::ifstream stream(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
@@ -105,7 +105,7 @@ inline int both() {
 )";
 };
 
-/// What a command says.
+/// Returns the output of a command.
 template <typename Command>
 std::string said_by(const Command& command) {
     std::ostringstream out;

@@ -1,4 +1,4 @@
-// Facts about hints: how their files are read, and that each call gives one tier more.
+// Facts about hints: the format of their files, and that each call shows one more.
 #include "tools/tutor/hints.h"
 
 #include "common/util/error.h"
@@ -33,7 +33,7 @@ std::string complaint(const std::string& hints) {
 
 } // namespace
 
-TEST_CASE("each call gives the next hint, after the third there is no more") {
+TEST_CASE("each call gives the next hint and after the third there is none") {
     const SmallProject small;
     const std::string first = hint(small, "half"), second = hint(small, "half"), third = hint(small, "half");
     CHECK(has(first, "Hint 1 of 3\n  look twice\n"));
@@ -43,10 +43,10 @@ TEST_CASE("each call gives the next hint, after the third there is no more") {
     CHECK(has(third, "Hint 3 of 3\n  line\n"));
     CHECK(has(third, "no more hints"));
     CHECK(hint(small, "half") == third);
-    CHECK(has(hint(small, "sign"), "Hint 1 of 3")); // each exercise counts for itself
+    CHECK(has(hint(small, "sign"), "Hint 1 of 3")); // each exercise is counted separately
 }
 
-TEST_CASE("a hint can be repeated, all can be seen, and forgotten") {
+TEST_CASE("a hint can be repeated, all can be shown, and the count can be reset") {
     const SmallProject small;
     CHECK(has(hint(small, "half", HintMode::again), "Hint 1 of 3"));
     hint(small, "half");
@@ -60,7 +60,7 @@ TEST_CASE("a hint can be repeated, all can be seen, and forgotten") {
     CHECK(has(hint(small, "half"), "Hint 1 of 3"));
 }
 
-TEST_CASE("without a name the exercises of the step are listed, with how much was seen of each") {
+TEST_CASE("without a name, the exercises of the step are listed with the number of hints seen") {
     const SmallProject small;
     hint(small, "sign");
     const std::string list = hint(small, "");
@@ -70,13 +70,13 @@ TEST_CASE("without a name the exercises of the step are listed, with how much wa
     CHECK(has(hint(small, ""), "0 of 3  sign"));
 }
 
-TEST_CASE("an unknown exercise is refused with the names that there are") {
+TEST_CASE("an unknown exercise is rejected with the list of names") {
     const SmallProject small;
     CHECK_THROWS_WITH_AS(hint(small, "quarter"), "01_one has no exercise 'quarter'; it has half, sign",
                          Error);
 }
 
-TEST_CASE("hints that are missing, left over or not three are errors that name the file") {
+TEST_CASE("hints that are missing, superfluous or not three are errors that name the file") {
     CHECK(has(complaint("## half\n1. a\n2. b\n3. c\n"), "01_one/hints.md: no hints for sign"));
     const std::string both = "## half\n1. a\n2. b\n3. c\n## sign\n1. a\n2. b\n3. c\n";
     CHECK(complaint(both) == "");
@@ -88,7 +88,7 @@ TEST_CASE("hints that are missing, left over or not three are errors that name t
     CHECK(has(complaint("1. a\n"), "01_one/hints.md:1: a hint stands below '## name'"));
 }
 
-TEST_CASE("a damaged memory of hints starts anew") {
+TEST_CASE("damaged lines in the record of hints are ignored") {
     const SmallProject small;
     put(small.own(".hints"), "01_one\thalf\tmany\n\n01_one\tsign\t2\nx\n");
     CHECK(has(hint(small, "half"), "Hint 1 of 3"));

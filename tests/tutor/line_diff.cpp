@@ -1,4 +1,4 @@
-// Facts about differences between texts, and what ./learn diff says.
+// Facts about differences between texts, and about the output of ./learn diff.
 #include "tools/tutor/diff.h"
 
 #include "common/util/error.h"
@@ -25,10 +25,10 @@ std::string diff_of(const SmallProject& small, const std::string& file, bool col
 TEST_CASE("equal texts have no difference") {
     CHECK(difference("a\nb\n", "a\nb\n").empty());
     CHECK(difference("", "").empty());
-    CHECK(difference("a", "a\n").empty()); // of lines
+    CHECK(difference("a", "a\n").empty()); // only lines are compared
 }
 
-TEST_CASE("a changed line is shown with three lines around it, as diff -u does") {
+TEST_CASE("a changed line is shown with three lines of context as diff -u does") {
     CHECK(difference("1\n2\n3\n4\n5\n6\n7\n8\n9\n", "1\n2\n3\n4\nfive\n6\n7\n8\n9\n") ==
           "--- a\n+++ b\n@@ -2,7 +2,7 @@\n 2\n 3\n 4\n-5\n+five\n 6\n 7\n 8\n");
     CHECK(difference("", "x") == "--- a\n+++ b\n@@ -0,0 +1 @@\n+x\n");
@@ -36,7 +36,7 @@ TEST_CASE("a changed line is shown with three lines around it, as diff -u does")
     CHECK(difference("a\nb\nc\nd\n", "b\nx\nd\n") == "--- a\n+++ b\n@@ -1,4 +1,3 @@\n-a\n b\n-c\n+x\n d\n");
 }
 
-TEST_CASE("changes far from each other stand in hunks of their own") {
+TEST_CASE("changes far from each other are in separate hunks") {
     std::string a, b;
     for (int i = 0; i < 30; ++i) {
         a += "f" + std::to_string(i) + "()\n";
@@ -46,7 +46,7 @@ TEST_CASE("changes far from each other stand in hunks of their own") {
     CHECK(difference(a, b).find("@@ -23,7 +23,7 @@\n") != std::string::npos);
 }
 
-TEST_CASE("colour is used only where it is wanted, and nothing else steers the terminal") {
+TEST_CASE("colour is used only if it is requested, and no other control characters are printed") {
     CHECK(difference("x", "y").find('\x1b') == std::string::npos);
     CHECK(difference("x", "\x1b[2Jy") == "--- a\n+++ b\n@@ -1 +1 @@\n-x\n+?[2Jy\n");
     const std::string coloured = difference("x", "y", true);
@@ -54,7 +54,7 @@ TEST_CASE("colour is used only where it is wanted, and nothing else steers the t
     CHECK(coloured.find("\x1b[32m+y\x1b[0m\n") != std::string::npos);
 }
 
-TEST_CASE("the reference's answer is as the reference, with its markers or without, and on Windows") {
+TEST_CASE("the reference's answer equals the reference with or without markers and with Windows line ends") {
     const SmallProject small;
     put(small.own("01_one/shape.h"), SmallProject::shape);
     CHECK(diff_of(small, "shape.h").ends_with("shape.h: as the reference\n"));
@@ -66,7 +66,7 @@ TEST_CASE("the reference's answer is as the reference, with its markers or witho
     CHECK(diff_of(small, "").ends_with("shape.h: as the reference\n"));
 }
 
-TEST_CASE("a stub differs from the reference by its gaps") {
+TEST_CASE("a stub differs from the reference only at its exercises") {
     const SmallProject small;
     said_by([&](std::ostream& out) { start_step(small.project, "01_one", out); });
     const std::string text = diff_of(small, "shape.h");
@@ -75,9 +75,9 @@ TEST_CASE("a stub differs from the reference by its gaps") {
     CHECK(text.find("//>") == std::string::npos);
 }
 
-TEST_CASE("a file that the reference does not have is the learner's alone") {
+TEST_CASE("a file that the reference does not have is reported as the learner's own") {
     const SmallProject small;
     put(small.own("01_one/own.h"), "// mine\n");
     CHECK(diff_of(small, "own.h").ends_with("yours alone, the reference has no such file\n"));
-    CHECK_THROWS_AS(diff_of(small, "shape.h"), Error); // not begun
+    CHECK_THROWS_AS(diff_of(small, "shape.h"), Error); // not started
 }

@@ -1,4 +1,4 @@
-// Facts about records of what was proved or run, and about what of a source counts for them.
+// Facts about records of proofs and runs, and about the parts of a source file that count for them.
 #include "tools/tutor/record.h"
 
 #include "common/util/file_bytes.h"
@@ -9,7 +9,7 @@
 #include <chrono>
 #include <filesystem>
 
-TEST_CASE("A record is read as it was written, and a file that says the same already is not touched") {
+TEST_CASE("A record is read as it was written and a file with the same content is not rewritten") {
     const rt::tutor::TemporaryFolder folder;
     const std::filesystem::path path = folder.path / "proved.txt";
     const rt::tutor::Record record{{"01_spheres", "ab"}, {"02_shadows", "cd"}};
@@ -26,12 +26,14 @@ TEST_CASE("A record is read as it was written, and a file that says the same alr
     CHECK(rt::tutor::read_record(path) == rt::tutor::Record{{"01_spheres", "ef"}});
 }
 
-TEST_CASE("Of a source counts what a compiler sees, and the marks of exercises") {
-    CHECK(rt::tutor::code_only("// What it is for.\n\nint  a; // a number\n    int b;\n") == "int a; int b; ");
+TEST_CASE("Only what a compiler sees and the markers of exercises count in a source file") {
+    CHECK(rt::tutor::code_only("// What it is for.\n\nint  a; // a number\n    int b;\n") ==
+          "int a; int b; ");
     CHECK(rt::tutor::code_only("    /// Says \"no\".\nint a; ///< metres\n") == "int a; ");
     CHECK(rt::tutor::code_only("    //> turn it\n    return a;\n    //< return b;\n") ==
           "//> turn it return a; //< return b; ");
-    CHECK(rt::tutor::code_only("say(\"http://a.b // c\"); // spoken\n") == "say(\"http://a.b // c\"); // spoken ");
+    CHECK(rt::tutor::code_only("say(\"http://a.b // c\"); // spoken\n") ==
+          "say(\"http://a.b // c\"); // spoken ");
     CHECK(rt::tutor::code_only("a / b; // half\n") == rt::tutor::code_only("a / b; // a quarter\n"));
     CHECK(rt::tutor::code_only("a / b;") != rt::tutor::code_only("a * b;"));
 }

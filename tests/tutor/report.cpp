@@ -1,4 +1,4 @@
-// Facts about the report: one page with all in it, in which nothing from outside is more than text.
+// Facts about the report: a single self-contained page in which foreign text is never markup.
 #include "tools/tutor/report.h"
 
 #include "common/util/file_bytes.h"
@@ -22,7 +22,7 @@ namespace {
 const std::string root = RT_ROOT;
 const std::string references = root + "/assets/reference/";
 
-/// A reference as a learner with a mistake would make it: one corner is turned upside down and too bright.
+/// Writes a reference with a mistake: one quarter is upside down and too bright.
 std::string wrong_picture(const Folder& folder, const std::string& name) {
     const Image right = read_image(references + name + ".png");
     Image wrong = right;
@@ -33,7 +33,7 @@ std::string wrong_picture(const Folder& folder, const std::string& name) {
     return folder / "mine.png";
 }
 
-/// How far two pictures are apart, pixel by pixel.
+/// Writes the difference of two pictures, pixel by pixel.
 std::string difference_picture(const Folder& folder, const std::string& a, const std::string& b) {
     Image map = read_image(a);
     const Image other = read_image(b);
@@ -58,31 +58,32 @@ Json some_checks() {
     add("a reflected direction leaves at the angle at which it came", "failed",
         {"tests/03_mirror.cpp:41  CHECK( dot(out, normal) == approx(-dot(in, normal)) )",
          "expected 0.6 within 1e-05, got -0.6",
-         "a cosine of the other sign: the direction still goes into the surface"});
+         "a cosine of the opposite sign: the direction still points into the surface"});
     add("a reflected direction keeps its length", "ok");
-    add("a mirror keeps the part of a direction that lies along it", "ok");
-    add("to reflect twice is to do nothing", "failed", {"expected (1, 2, 3) within 1e-05, got (1, 26, 3)"});
-    add("it does not matter to which side the normal points", "ok");
-    add("a corner of three mirrors sends a ray back where it came from", "failed",
+    add("a mirror keeps the tangential part of a direction", "ok");
+    add("reflecting twice restores the direction", "failed",
+        {"expected (1, 2, 3) within 1e-05, got (1, 26, 3)"});
+    add("a reflection does not depend on the sign of the normal", "ok");
+    add("a corner of three mirrors sends a ray back to where it came from", "failed",
         {"expected (-0.36, -0.48, -0.8) within 1e-05, got (0.36, 0.48, 0.8)"});
-    add("a path of three hops shows the ball that stands on its third segment", "unfinished",
-        {"stopped after 10 s: a path of mirrors has no end"});
-    add("white things vanish in an even sky, whatever share of them is a mirror", "skipped",
+    add("a path of three segments shows the ball at the end of its third segment", "unfinished",
+        {"stopped after 10 s: a path over mirrors never ends"});
+    add("white objects are invisible under a uniform sky, whatever share of them is a mirror", "skipped",
         {"[skipped] needs the picture of step 02"});
-    for (const char* name : {"a quad is met between its edges and missed beyond them",
-                             "a quad is met on both sides of its diagonal", "a ray along a quad misses it",
-                             "u and v of a quad run along its edges from the corner"})
+    for (const char* name :
+         {"a quad is hit between its edges and missed beyond them",
+          "a quad is hit on both sides of its diagonal", "a ray parallel to a quad misses it",
+          "u and v of a quad run along its edges from the corner"})
         add(name, "ok");
     return checks;
 }
 
 Json some_mistake() {
-    return {{"title", "the part along the normal is added in place of taken away"},
-            {"confidence", "very likely: the same checks are red, with the same numbers"},
-            {"shows", "reflections hang upside down under every ball."},
-            {"why", "d.n is negative for a ray that meets the surface, so `- 2 (d.n) n` points outward. With "
-                    "a plus the ray "
-                    "goes three times as steeply into the surface."},
+    return {{"title", "the part along the normal is added instead of subtracted"},
+            {"confidence", "very likely: the same checks fail with the same numbers"},
+            {"shows", "reflections are upside down under every ball."},
+            {"why", "d.n is negative for a ray that hits the surface, so `- 2 (d.n) n` points outward. With "
+                    "a plus the ray enters the surface three times as steeply."},
             {"fix", "write `direction - 2 * dot(direction, normal) * normal`."},
             {"picture", references + "02_shadows.png"}};
 }
@@ -93,7 +94,7 @@ Json empty_report() {
             {"pictures", Json::object()}};
 }
 
-/// A check of step 03 with a mistake that is known.
+/// Builds the report of a check of step 03 with a known mistake.
 Json some_report(const Folder& folder) {
     Json report = empty_report();
     report["step"] = "03_mirror";
@@ -115,7 +116,7 @@ Json some_report(const Folder& folder) {
     return report;
 }
 
-/// The same, all well, of a noisy step.
+/// Builds the report of a successful check of a noisy step.
 Json good_report() {
     Json report = empty_report();
     report["step"] = "08_indirect";
@@ -147,7 +148,7 @@ Json unbuilt_report() {
     return report;
 }
 
-/// Markup, quotes, a second place for data, and a word that is wider than a phone.
+/// Returns markup, quotes, a second data placeholder, and a word that is wider than a phone's screen.
 std::string evil_text() {
     std::string text =
         "</script><script>window.harm = 1</script><!-- <img src=x onerror=\"window.harm = 1\"> "
@@ -156,7 +157,7 @@ std::string evil_text() {
     return text;
 }
 
-/// Everywhere the same text, which would do harm as markup.
+/// Builds a report with the same text everywhere, which would be harmful as markup.
 Json evil_report(const Folder& folder) {
     const std::string evil = evil_text();
     Json report = some_report(folder);
@@ -169,7 +170,7 @@ Json evil_report(const Folder& folder) {
     return report;
 }
 
-/// The page without its pictures, in whose base64 anything may stand.
+/// Returns the page without its pictures, whose base64 may contain anything.
 std::string without_pictures(std::string page) {
     const std::string opening = "data:image/png;base64,";
     for (std::size_t at = 0; (at = page.find(opening, at)) != std::string::npos;) {
@@ -185,7 +186,7 @@ int count(const std::string& text, const std::string& part) {
     return n;
 }
 
-/// Cuts what stands between `from` and `to`, every time; the two stay.
+/// Removes the text between `from` and `to`, every time, and keeps the two.
 std::string cut(std::string text, const std::string& from, const std::string& to) {
     for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos;) {
         at += from.size();
@@ -196,7 +197,7 @@ std::string cut(std::string text, const std::string& from, const std::string& to
     return text;
 }
 
-/// The first tag that closes what is not open, or stays open; empty if all are in pairs.
+/// Returns the first tag that closes nothing or stays open; empty if all are balanced.
 std::string unbalanced_tag(std::string page) {
     page = cut(cut(cut(page, "<!--", "-->"), "<style>", "</style>"), "<script>", "</script>");
     page = cut(page, "<script type=\"application/json\" id=\"data\">", "</script>");
@@ -218,7 +219,7 @@ std::string unbalanced_tag(std::string page) {
 
 } // namespace
 
-TEST_CASE("base64 is what the standard's examples say") {
+TEST_CASE("base64 encodes the examples of the standard") {
     const std::pair<const char*, const char*> examples[] = {{"", ""},
                                                             {"f", "Zg=="},
                                                             {"fo", "Zm8="},
@@ -230,7 +231,7 @@ TEST_CASE("base64 is what the standard's examples say") {
     CHECK(base64("\xFB\xFF\xFE") == "+//+");
 }
 
-TEST_CASE("an embedded text is JSON in which nothing ends a script") {
+TEST_CASE("an embedded text is JSON in which nothing can end a script") {
     CHECK(embedded("plain \xC3\xA4 \xE2\x82\xAC \xF0\x9F\x98\x80") ==
           "\"plain \xC3\xA4 \xE2\x82\xAC \xF0\x9F\x98\x80\"");
     CHECK(embedded("\"\\\n\t\x7F") == "\"\\\"\\\\\\n\\t\\u007f\"");
@@ -239,7 +240,7 @@ TEST_CASE("an embedded text is JSON in which nothing ends a script") {
     CHECK(embedded("a\xFFz") == "\"a\xEF\xBF\xBDz\""); // not UTF-8
 }
 
-TEST_CASE("the report holds its three pictures and the mistake's") {
+TEST_CASE("the report contains its three pictures and that of the mistake") {
     const Folder folder;
     const Json report = some_report(folder);
     const std::string page = report_html(root, report);
@@ -251,7 +252,7 @@ TEST_CASE("the report holds its three pictures and the mistake's") {
     CHECK(count(page, "data:image/png;base64,") == 4);
 }
 
-TEST_CASE("the report asks nothing of a network") {
+TEST_CASE("the report requests nothing from a network") {
     const Folder folder;
     const std::string page = without_pictures(report_html(root, some_report(folder)));
     for (const char* part : {"http:", "https:", "//", "@import", "url(", "<link", "<iframe", "src=\"",
@@ -260,15 +261,15 @@ TEST_CASE("the report asks nothing of a network") {
     CHECK(contains(page, "default-src 'none'"));
 }
 
-TEST_CASE("the report's tags are in pairs") {
+TEST_CASE("the report's tags are balanced") {
     const Folder folder;
     CHECK(unbalanced_tag(report_html(root, some_report(folder))) == "");
     CHECK(unbalanced_tag(report_html(root, evil_report(folder))) == "");
-    CHECK(unbalanced_tag("<p><b></p></b>") == "/p"); // and this is how it shows
+    CHECK(unbalanced_tag("<p><b></p></b>") == "/p"); // checks the function itself
     CHECK(unbalanced_tag("<p><br>") == "p");
 }
 
-TEST_CASE("no text from outside is markup in the report") {
+TEST_CASE("foreign text is never markup in the report") {
     const Folder folder;
     const std::string page = report_html(root, evil_report(folder)),
                       tame = report_html(root, some_report(folder));
@@ -289,7 +290,7 @@ const char* const report_fields[] = {"\"step\":\"03_mirror\"",
                                      "\"tiles_over_4\":17",
                                      "\"title\":\"the part along",
                                      "\"confidence\":\"very likely",
-                                     "\"shows\":\"reflections hang",
+                                     "\"shows\":\"reflections are",
                                      "\"why\":\"d.n is",
                                      "\"fix\":\"write",
                                      "\"next\":\"./learn hint 03 reflect\"",
@@ -311,7 +312,7 @@ TEST_CASE("every field of the report is in its data") {
         CHECK_MESSAGE(contains(page, part), ("there is no " + std::string(part)));
 }
 
-TEST_CASE("a report without pictures or mistake is a page too") {
+TEST_CASE("a report without pictures or a mistake is a valid page too") {
     const std::string page = report_html(root, unbuilt_report());
     CHECK(count(page, "data:image/png") == 0);
     CHECK(contains(page, "\"pictures\":{}"));
@@ -320,7 +321,7 @@ TEST_CASE("a report without pictures or mistake is a page too") {
     CHECK(unbalanced_tag(page) == "");
 }
 
-TEST_CASE("a mistake whose picture is not there yet is reported without it") {
+TEST_CASE("a mistake whose picture does not exist yet is reported without it") {
     const Folder folder;
     Json report = some_report(folder);
     report["mistake"]["picture"] = folder / "not_yet.png";

@@ -1,4 +1,4 @@
-// ./learn watch on a terminal of its own: however it ends, the terminal is as it was, and files may come and go.
+// Facts about ./learn watch: it restores the terminal, and files may disappear for a moment.
 #include "tests/tutor/folder.h"
 #include "tools/tutor/commands.h"
 
@@ -19,7 +19,7 @@ using namespace rt::tutor;
 
 namespace {
 
-/// A process that watches step 01 of a small project, which has no build: each check says so and ends.
+/// A process that watches step 01 of a small project without a build: each check reports that and ends.
 class Watched {
   public:
     Watched() {
@@ -47,7 +47,7 @@ class Watched {
     }
     void type(char key) const { REQUIRE(write(master, &key, 1) == 1); }
 
-    /// How it ended or stopped; 0 if it has not within ten seconds.
+    /// Returns how the process ended or stopped; 0 if it has not within ten seconds.
     int status() const {
         int status = 0;
         wait_until([&] { return waitpid(child, &status, WNOHANG | WUNTRACED) == child; });
@@ -84,7 +84,7 @@ class Watched {
 
 } // namespace
 
-TEST_CASE("whatever ends a watch, the terminal is as it was before") {
+TEST_CASE("the terminal is restored whatever ends a watch") {
     constexpr char ctrl_c = 3;
     for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) {
         CAPTURE(signal);
@@ -106,7 +106,7 @@ TEST_CASE("whatever ends a watch, the terminal is as it was before") {
     CHECK_FALSE(watched.hands_over_keys());
 }
 
-TEST_CASE("a watch that is stopped gives the terminal back, and takes it again when it goes on") {
+TEST_CASE("a watch that is stopped restores the terminal and takes it again when it continues") {
     const Watched watched;
     REQUIRE(watched.begins());
     kill(watched.child, SIGTSTP);
@@ -116,7 +116,7 @@ TEST_CASE("a watch that is stopped gives the terminal back, and takes it again w
     CHECK(watched.begins());
 }
 
-TEST_CASE("a watch goes on while files are away for a moment") {
+TEST_CASE("a watch continues while files disappear for a moment") {
     const Watched watched;
     REQUIRE(watched.begins());
     const auto file = watched.small.own("01_one/shape.h");

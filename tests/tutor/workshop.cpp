@@ -1,4 +1,4 @@
-// Facts about the workshop: stubs never overwrite, files that are put aside are kept, and status says where one stands.
+// Facts about the workshop: stubs never overwrite, removed files are kept, status shows the progress.
 #include "tools/tutor/workshop.h"
 
 #include "common/util/error.h"
@@ -45,7 +45,7 @@ void replace(const fs::path& path, const std::string& what, const std::string& b
 
 } // namespace
 
-TEST_CASE("start cuts the files that have exercises, and no others") {
+TEST_CASE("start creates stubs of the files that have exercises and of no others") {
     const SmallProject small;
     const std::string said = start(small, "01_one");
     CHECK(own_files(small.project, "01_one") == std::vector<std::string>{"shape.h"});
@@ -55,7 +55,7 @@ TEST_CASE("start cuts the files that have exercises, and no others") {
     CHECK(has(said, "./learn check 01"));
 }
 
-TEST_CASE("start never overwrites what is there, and says so") {
+TEST_CASE("start never overwrites an existing file and reports it") {
     const SmallProject small;
     put(small.own("02_two/base.h"), "// mine\n");
     const std::string said = start(small, "02_two");
@@ -67,36 +67,36 @@ TEST_CASE("start never overwrites what is there, and says so") {
     CHECK(text_of(small.own("02_two/above.h")) == "");
 }
 
-TEST_CASE("start does not write through a link that leads nowhere") {
+TEST_CASE("start does not write through a dangling link") {
     const SmallProject small;
     fs::create_directories(small.own("01_one"));
     fs::create_symlink(small.root / "elsewhere.h", small.own("01_one/shape.h"));
-    CHECK_THROWS_AS(start(small, "01_one"), Error); // there is nothing to read where the tasks should stand
+    CHECK_THROWS_AS(start(small, "01_one"), Error); // the exercises cannot be read there
     CHECK_FALSE(fs::exists(small.root / "elsewhere.h"));
 }
 
-TEST_CASE("start names the files of earlier steps that are the learner's") {
+TEST_CASE("start lists the learner's files of earlier steps") {
     const SmallProject small;
     CHECK_FALSE(has(start(small, "02_two"), "yours"));
     start(small, "01_one");
     CHECK(has(start(small, "02_two"), "yours  01_one/shape.h:"));
 }
 
-TEST_CASE("where no folder can be made, start says so and leaves nothing") {
+TEST_CASE("if no folder can be created, start fails and leaves nothing") {
     const SmallProject small;
     put(small.root / "workshop", "a file, not a folder");
     CHECK_THROWS_AS(start(small, "01_one"), Error);
     CHECK(text_of(small.root / "workshop") == "a file, not a folder");
 }
 
-TEST_CASE("3, 03 and the full name mean a step, and anything else is refused") {
+TEST_CASE("3, 03 and the full name mean a step; anything else is rejected") {
     const SmallProject small;
     for (const char* word : {"2", "02", "02_two"}) CHECK(find_step(small.project, word) == "02_two");
     for (const char* word : {"", "3", "two", "002", "../steps/02_two", "02_two/"})
         CHECK_THROWS_AS(find_step(small.project, word), Error);
 }
 
-TEST_CASE("what an editor leaves beside a header is none of the learner's files") {
+TEST_CASE("an editor's temporary files are not among the learner's files") {
     const SmallProject small;
     for (const char* file : {".shape.h.swp", "shape.h~", ".shape.h", "shape.h", "notes.txt"})
         put(small.own(std::string("01_one/") + file), "x");
@@ -104,7 +104,7 @@ TEST_CASE("what an editor leaves beside a header is none of the learner's files"
     CHECK(own_files(small.project, "01_one") == std::vector<std::string>{"shape.h"});
 }
 
-TEST_CASE("undo keeps the file under the time of day, and a second one of the same second too") {
+TEST_CASE("undo keeps the file under the current time even for several within a second") {
     const SmallProject small;
     for (const std::string text : {"first", "second", "third"}) {
         put(small.own("01_one/shape.h"), text);
@@ -128,7 +128,7 @@ TEST_CASE("undo of a step moves all of its files") {
     CHECK_THROWS_AS(undo(small, "02_two", ""), Error);
 }
 
-TEST_CASE("undo moves nothing but files of the step") {
+TEST_CASE("undo moves only files of the step") {
     const SmallProject small;
     start(small, "01_one");
     for (const char* word : {"plain.h", "../01_one/shape.h", "..", "shape"})
@@ -138,7 +138,7 @@ TEST_CASE("undo moves nothing but files of the step") {
     CHECK_FALSE(fs::exists(small.own("01_one/shape.h")));
 }
 
-TEST_CASE("status counts the functions that differ from their placeholder, and says what is next") {
+TEST_CASE("status counts the functions that differ from their placeholder and states what is next") {
     const SmallProject small;
     CHECK(has(status(small), "01_one          not begun"));
     CHECK(has(status(small), "next: ./learn start 01"));
@@ -153,7 +153,7 @@ TEST_CASE("status counts the functions that differ from their placeholder, and s
     CHECK(has(status(small), "next: ./learn check 01"));
 }
 
-TEST_CASE("status tells what the last check found, and whether the files changed since") {
+TEST_CASE("status reports the last check and whether the files changed since") {
     const SmallProject small;
     put(small.own("01_one/shape.h"), SmallProject::shape);
     write_check(small.project, "01_one", {7, 0, "same", fingerprint(small.project, "01_one")});
@@ -169,14 +169,14 @@ TEST_CASE("status tells what the last check found, and whether the files changed
     CHECK_FALSE(has(status(small), "done"));
 }
 
-TEST_CASE("a step is done only if its picture is right too") {
+TEST_CASE("a step is done only if its picture is correct too") {
     for (const char* verdict : {"same", "noise"}) CHECK(all_well({3, 0, verdict, ""}));
     for (const char* verdict : {"look", "different", "", "none"}) CHECK_FALSE(all_well({3, 0, verdict, ""}));
     CHECK_FALSE(all_well({3, 1, "same", ""}));
     CHECK_FALSE(all_well({0, 0, "same", ""}));
 }
 
-TEST_CASE("a check of one step leaves what is known of the others, and damaged lines are passed over") {
+TEST_CASE("a check of one step keeps the state of the others and skips damaged lines") {
     const SmallProject small;
     put(small.own(".state"), "01_one\t3\t0\tsame\tabc\ngarbage\n02_two\tx\t0\tsame\tabc\n\n");
     write_check(small.project, "02_two", {1, 2, "look", "def"});
@@ -187,7 +187,7 @@ TEST_CASE("a check of one step leaves what is known of the others, and damaged l
     CHECK(text_of(small.own(".state")) == "01_one\t3\t0\tsame\tabc\n02_two\t1\t2\tlook\tdef\n");
 }
 
-TEST_CASE("a fingerprint changes with the files of the step and of those before it, not of those after") {
+TEST_CASE("a fingerprint depends on the files of the step and of earlier steps, not of later ones") {
     const SmallProject small;
     const std::string nothing = fingerprint(small.project, "01_one");
     put(small.own("02_two/base.h"), "x");
@@ -200,12 +200,12 @@ TEST_CASE("a fingerprint changes with the files of the step and of those before 
     CHECK(nothing.size() == 16);
 }
 
-TEST_CASE("all steps done, there is nothing left") {
+TEST_CASE("if all steps are done, nothing is left") {
     const SmallProject small;
     put(small.own("01_one/shape.h"), SmallProject::shape);
     put(small.own("02_two/base.h"), SmallProject::base);
     for (const char* step : {"01_one", "02_two"})
         write_check(small.project, step, {1, 0, "noise", fingerprint(small.project, step)});
     CHECK(has(status(small), "all steps are yours"));
-    CHECK(has(status(small), "3 more stand as in the reference")); // above.h was never begun
+    CHECK(has(status(small), "3 more stand as in the reference")); // above.h was never started
 }

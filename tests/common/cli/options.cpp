@@ -1,4 +1,4 @@
-// Facts about the command line: what is right is read, what is wrong is refused in one line that says why.
+// Facts about the command line: valid input is read, invalid input is rejected with one line that states why.
 #include "common/cli/options.h"
 
 #include "common/util/error.h"
@@ -16,7 +16,7 @@ namespace {
 
 enum class View { light, normal, depth };
 
-/// A program with an option of each kind.
+/// A program with one option of each type.
 struct Program {
     rt::Options options;
     const float& ior;
@@ -41,7 +41,7 @@ struct Program {
     }
 };
 
-/// The message that refuses `words`, or "" if they are taken.
+/// Returns the message that rejects `words`, or "" if they are accepted.
 std::string refusal(const std::vector<std::string>& words) {
     Program program;
     try {
@@ -58,7 +58,7 @@ bool contains(const std::string& text, const std::string& fragment) {
 
 struct Wrong {
     std::vector<std::string> words;
-    std::vector<std::string> fragments; ///< of the message
+    std::vector<std::string> fragments; ///< that the message contains
 };
 
 void check_refused(const std::vector<Wrong>& all) {
@@ -89,7 +89,7 @@ std::string help_text(const std::vector<std::string>& words) {
 
 } // namespace
 
-TEST_CASE("a bare command line gives the defaults") {
+TEST_CASE("an empty command line gives the defaults") {
     Program program;
     CHECK(program.parse({}));
     CHECK(program.ior == 1.5f);
@@ -111,7 +111,7 @@ TEST_CASE("a bare command line gives the defaults") {
     CHECK_FALSE(settings.quiet);
 }
 
-TEST_CASE("each flag sets what it names") {
+TEST_CASE("each option sets the value that it names") {
     Program program;
     CHECK(program.parse({"--ior",
                          "2.25",
@@ -160,7 +160,7 @@ TEST_CASE("each flag sets what it names") {
     CHECK(settings.quiet);
 }
 
-TEST_CASE("a value may be negative, and may follow an equals sign") {
+TEST_CASE("a value may be negative and may follow an equals sign") {
     for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
              {"--from", "-1,-0.5,-2e1"}, {"--from=-1,-.5,-20"}, {"--from", "-1,-0.5,-20.0"}}) {
         Program program;
@@ -173,7 +173,7 @@ TEST_CASE("a value may be negative, and may follow an equals sign") {
     Program far;
     CHECK(far.parse({"--from", "500000.125,4649776.22,12.5"}));
     CHECK_MESSAGE(far.from == rt::dvec3(500000.125, 4649776.22, 12.5),
-                  "no digit is lost: float has 7, these have 9");
+                  "no digit may be lost: a float has 7, these have 9");
     CHECK(dotted.depth == 6);
 }
 
@@ -189,9 +189,10 @@ TEST_CASE("the ends of a range are inside it") {
     CHECK(high.options.settings().crop.x1 == 65536);
 }
 
-TEST_CASE("is_set tells what was typed from what was left alone") {
+TEST_CASE("is_set distinguishes explicit values from defaults") {
     Program program;
-    CHECK(program.parse({"--ior", "1.5", "--bare", "--width", "640"})); // the defaults, but typed
+    CHECK(program.parse(
+        {"--ior", "1.5", "--bare", "--width", "640"})); // the default values, but given explicitly
     CHECK(program.options.is_set("ior"));
     CHECK(program.options.is_set("bare"));
     CHECK(program.options.is_set("width"));
@@ -200,7 +201,7 @@ TEST_CASE("is_set tells what was typed from what was left alone") {
     CHECK_THROWS_AS(program.options.is_set("no_such_option"), std::logic_error);
 }
 
-TEST_CASE("a number out of its range is refused with the range") {
+TEST_CASE("a number out of its range is rejected with the range") {
     check_refused({
         {{"--ior", "7"}, {"--ior \"7\" is not a number from 1 to 2.5"}},
         {{"--ior", "0.999"}, {"--ior \"0.999\" is not a number from 1 to 2.5"}},
@@ -222,7 +223,7 @@ TEST_CASE("a number out of its range is refused with the range") {
     });
 }
 
-TEST_CASE("what is not a number is refused with the range") {
+TEST_CASE("a value that is not a number is rejected with the range") {
     check_refused({
         {{"--ior", "glass"}, {"--ior \"glass\" is not a number from 1 to 2.5"}},
         {{"--ior", "1.5x"}, {"--ior \"1.5x\" is not a number from 1 to 2.5"}},
@@ -258,11 +259,11 @@ TEST_CASE("a crop is a rectangle inside the picture") {
          {"10,20,641,80", "10,20,60,401", "10,20,10,80", "10,20,60,20", "60,20,10,80", "700,0,800,10",
           "-1,0,10,10", "10,20,60", "1,2,3,4,5", "1,2,3.5,4", "a,b,c,d", ""})
         check_refused({{{"--crop", text}, {"--crop \"" + text + "\" " + right}}});
-    Program program; // the order of the flags does not matter
+    Program program; // the order of the options does not matter
     CHECK(program.parse({"--crop", "0,0,1000,900", "--width", "1000", "--height", "900"}));
 }
 
-TEST_CASE("an unknown flag is refused, with the one that was probably meant") {
+TEST_CASE("an unknown option is rejected with a suggestion of the likely one") {
     check_refused({
         {{"--sampels", "4"}, {"\"--sampels\" is not an option of 03_test", "did you mean --samples?"}},
         {{"--sample=4"}, {"\"--sample\" is not an option", "did you mean --samples?"}},
@@ -280,7 +281,7 @@ TEST_CASE("an unknown flag is refused, with the one that was probably meant") {
     CHECK_FALSE(contains(refusal({"--teapot"}), "did you mean"));
 }
 
-TEST_CASE("a word without a flag is refused") {
+TEST_CASE("a word without an option is rejected") {
     check_refused({
         {{"settings.png"}, {"\"settings.png\" has no option before it"}},
         {{"--bare", "yes"}, {"\"yes\" has no option before it"}},
@@ -290,7 +291,7 @@ TEST_CASE("a word without a flag is refused") {
     });
 }
 
-TEST_CASE("a flag without its value is refused with what it takes") {
+TEST_CASE("an option without its value is rejected with the form that it takes") {
     check_refused({
         {{"--width"}, {"--width needs a value: --width N"}},
         {{"--crop"}, {"--crop needs a value: --crop X0,Y0,X1,Y1"}},
@@ -300,11 +301,11 @@ TEST_CASE("a flag without its value is refused with what it takes") {
     });
 }
 
-TEST_CASE("a flag that takes no value is refused one") {
+TEST_CASE("a value for an option that takes none is rejected") {
     check_refused({{{"--bare=no"}, {"--bare takes no value"}}, {{"--quiet=5"}, {"--quiet takes no value"}}});
 }
 
-TEST_CASE("a flag that is given twice is refused") {
+TEST_CASE("an option that is given twice is rejected") {
     check_refused({
         {{"--width", "4", "--width", "5"}, {"--width is given twice"}},
         {{"--ior", "1.2", "--ior=1.3"}, {"--ior is given twice"}},
@@ -313,7 +314,7 @@ TEST_CASE("a flag that is given twice is refused") {
     });
 }
 
-TEST_CASE("a choice that does not exist is refused with those that do") {
+TEST_CASE("an unknown choice is rejected with the list of valid choices") {
     check_refused({
         {{"--view", "wire"}, {"--view \"wire\" is not a choice", "one of light, normal, depth"}},
         {{"--view", "dpeth"}, {"did you mean depth?", "one of light, normal, depth"}},
@@ -322,7 +323,7 @@ TEST_CASE("a choice that does not exist is refused with those that do") {
     });
 }
 
-TEST_CASE("a file to read must exist and be a file, a file to write must have a name") {
+TEST_CASE("an input file must exist and be a file; an output file must have a name") {
     check_refused({
         {{"--mesh", "no/such.obj"}, {"--mesh: File does not exist: no/such.obj"}},
         {{"--mesh", "/"}, {"--mesh: File is actually a directory: /"}},
@@ -332,20 +333,20 @@ TEST_CASE("a file to read must exist and be a file, a file to write must have a 
     });
 }
 
-TEST_CASE("a picture that memory or the file formats cannot hold is refused") {
+TEST_CASE("a picture that exceeds memory or the file formats is rejected") {
     check_refused({
         {{"--width", "65536", "--height", "65536"}, {"65536 x 65536", "--crop"}},
         {{"--width", "16385", "--height", "1"}, {"16385 x 1", "--width", "--crop"}},
         {{"--width", "16384", "--height", "16384"}, {"16384 x 16384", "--crop"}},
     });
-    Program part; // a part of a picture that is too large as a whole
+    Program part; // a crop of a picture that is too large as a whole
     CHECK(part.parse({"--width", "65536", "--height", "65536", "--crop", "65000,65000,65536,65536"}));
 }
 
-TEST_CASE("help opens with name and question, and explains every option with range and default") {
+TEST_CASE("help begins with the name and the question and explains every option with range and default") {
     const std::string help = help_text({"--help"});
     CHECK(help.rfind("03_test: What is asked here?\n", 0) == 0);
-    std::string flat; // lines are wrapped: what is looked for may run over an end
+    std::string flat; // lines are wrapped, so a searched text may be split
     for (const char c : help)
         if (c != ' ' && c != '\n') flat += c;
     for (const char* const expected :
@@ -361,7 +362,7 @@ TEST_CASE("help opens with name and question, and explains every option with ran
     }
 }
 
-TEST_CASE("help keeps within 80 columns, and asks for nothing else to be right") {
+TEST_CASE("help fits into 80 columns and works even if other options are wrong") {
     std::istringstream lines(help_text({"--help", "--ior", "99", "--nonsense"}));
     std::string line;
     std::size_t longest = 0;
@@ -371,7 +372,7 @@ TEST_CASE("help keeps within 80 columns, and asks for nothing else to be right")
     CHECK(help_text({"-h"}).size() > 500);
 }
 
-TEST_CASE("an option declared wrongly is a mistake of the program, told at once") {
+TEST_CASE("an invalid declaration of an option is a logic error that is reported immediately") {
     Program program;
     CHECK_THROWS_AS(program.options.option("ior", 1.5f, 1.0f, 2.0f, "again"), std::logic_error);
     CHECK_THROWS_AS(program.options.option("width", 3, 1, 9, "a standard flag's name"), std::logic_error);

@@ -1,4 +1,4 @@
-// Facts about a whole run: what is printed, written and left alone, and with which exit code it ends.
+// Facts about a whole run: its output, its files, and its exit code.
 #include "common/cli/program.h"
 
 #include "common/util/error.h"
@@ -29,7 +29,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder that nobody else uses, gone at the end with all that is in it.
+/// A temporary folder with a unique name, deleted with its contents at the end.
 class Folder {
   public:
     Folder() : path(fs::temp_directory_path() / ("raysteps_test_" + std::to_string(std::random_device{}()))) {
@@ -51,7 +51,7 @@ class Folder {
     fs::path path;
 };
 
-/// Redirects a stream while it lives.
+/// Redirects a stream during its lifetime.
 class Captured {
   public:
     explicit Captured(std::ostream& redirected) : stream(redirected), old(redirected.rdbuf(text.rdbuf())) {}
@@ -118,7 +118,8 @@ bool contains(const std::string& text, const std::string& fragment) {
     return text.find(fragment) != std::string::npos;
 }
 
-/// Refused before any work: exit code 2, one line on stderr that holds `fragment`, nothing on stdout.
+/// Checks for rejection before any work: exit code 2, one line on stderr that
+/// contains `fragment`, empty stdout.
 void check_refused(const Run& result, const std::string& fragment) {
     CAPTURE(result.err);
     CHECK(result.code == 2);
@@ -132,7 +133,7 @@ void check_refused(const Run& result, const std::string& fragment) {
 
 } // namespace
 
-TEST_CASE("a run writes both pictures under the name that --out gives, and nothing else") {
+TEST_CASE("a run writes both pictures under the name given by --out and nothing else") {
     const Folder folder;
     const Run result = run({"--out", folder / "a.b/../picture"});
     CHECK(result.code == 2); // the folder a.b does not exist
@@ -147,12 +148,12 @@ TEST_CASE("a run writes both pictures under the name that --out gives, and nothi
     CHECK(light(4, 2).y == doctest::Approx(0.4).epsilon(0.01));
 }
 
-TEST_CASE("an ending chooses the one file, in whatever folder") {
+TEST_CASE("an extension selects a single file in any folder") {
     const Folder folder;
     fs::create_directory(folder / "a.b");
     CHECK(run({"--out", folder / "one.png"}).code == 0);
     CHECK(run({"--out", folder / "two.hdr"}).code == 0);
-    CHECK(run({"--out", folder / "a.b/three"}).code == 0); // the dot is the folder's
+    CHECK(run({"--out", folder / "a.b/three"}).code == 0); // the dot belongs to the folder
     CHECK(fs::exists(folder / "one.png"));
     CHECK(fs::exists(folder / "two.hdr"));
     CHECK(fs::exists(folder / "a.b/three.png"));
@@ -160,7 +161,7 @@ TEST_CASE("an ending chooses the one file, in whatever folder") {
     CHECK(folder.files() == 3);
 }
 
-TEST_CASE("a run says what it does, what it cost and where the files are") {
+TEST_CASE("a run prints its settings, its cost and the names of its files") {
     const Folder folder;
     const Run result = run({"--out", folder / "p", "--seed", "7"});
     std::istringstream lines(result.out);
@@ -178,7 +179,7 @@ TEST_CASE("a run says what it does, what it cost and where the files are") {
     CHECK_FALSE(std::getline(lines, line));
 }
 
-TEST_CASE("a run with a crop says so and writes the part alone") {
+TEST_CASE("a run with a crop reports it and writes only that part") {
     const Folder folder;
     const Run result = run({"--out", folder / "p.hdr", "--crop", "1,2,7,5", "--samples", "1"});
     CHECK(result.out.rfind("crop 1,2 to 7,5 of 8 x 5, 1 sample a pixel, seed 1, 1 thread\n", 0) == 0);
@@ -188,7 +189,7 @@ TEST_CASE("a run with a crop says so and writes the part alone") {
     CHECK(light(0, 0).y == doctest::Approx(0.4).epsilon(0.01));
 }
 
-TEST_CASE("a run that counted box and triangle tests says how many a ray") {
+TEST_CASE("a run that counts box and triangle tests reports their number per ray") {
     const Folder folder;
     const Run result = run({"--out", folder / "p"}, rt::SampleFunction([](rt::PixelSample&) {
                                rt::ray_stats.rays += 2;
@@ -207,7 +208,7 @@ TEST_CASE("a quiet run prints the names of its files and nothing else") {
     CHECK(result.err.empty());
 }
 
-TEST_CASE("bad input ends with one line, code 2, and the old files as they were") {
+TEST_CASE("bad input ends with one line and code 2 and leaves old files unchanged") {
     const Folder folder;
     put(folder / "p.png", "old picture");
     put(folder / "p.hdr", "old light");
@@ -222,7 +223,7 @@ TEST_CASE("bad input ends with one line, code 2, and the old files as they were"
     CHECK(folder.files() == 2);
 }
 
-TEST_CASE("an output that cannot be written is refused before the scene is built") {
+TEST_CASE("an output that cannot be written is rejected before the scene is built") {
     const Folder folder;
     fs::create_directory(folder / "taken.png");
     fs::create_directory(folder / "pictures");
@@ -241,9 +242,9 @@ TEST_CASE("an output that cannot be written is refused before the scene is built
 }
 
 #if !defined(_WIN32)
-TEST_CASE("an output in a folder without permission is refused before the scene is built") {
+TEST_CASE("an output in a folder without permission is rejected before the scene is built") {
     if (geteuid() == 0) {
-        MESSAGE("skipped: root may write everywhere");
+        MESSAGE("skipped: root can write everywhere");
         return;
     }
     const Folder folder;
@@ -254,7 +255,7 @@ TEST_CASE("an output in a folder without permission is refused before the scene 
 }
 #endif
 
-TEST_CASE("the variance goes to a file of its own, and needs two samples") {
+TEST_CASE("the variance goes to a separate file and needs two samples") {
     const Folder folder;
     const std::string out = folder / "p";
     const Run good =
@@ -276,7 +277,7 @@ TEST_CASE("the variance goes to a file of its own, and needs two samples") {
     check_refused(run({"--out", out, "--variance", folder / "missing/v.hdr"}), "missing");
 }
 
-TEST_CASE("samples that are not finite are told of, in quiet runs too, and their pixels are magenta") {
+TEST_CASE("samples that are not finite cause a warning even in quiet runs and their pixels are magenta") {
     const Folder folder;
     const Run result =
         run({"--quiet", "--out", folder / "p"}, rt::SampleFunction([](rt::PixelSample& sample) {
@@ -290,7 +291,7 @@ TEST_CASE("samples that are not finite are told of, in quiet runs too, and their
     CHECK(rt::read_image(folder / "p.png")(2, 2).y > 0.2f);
 }
 
-TEST_CASE("an error while the scene is built or rendered leaves the old files as they were") {
+TEST_CASE("an error while the scene is built or rendered leaves old files unchanged") {
     const Folder folder;
     put(folder / "p.png", "old picture");
     const std::vector<std::string> words{"--out", folder / "p.png"};
@@ -310,7 +311,7 @@ TEST_CASE("an error while the scene is built or rendered leaves the old files as
     CHECK(folder.files() == 1);
 }
 
-TEST_CASE("a body that never renders, or renders twice, is told so") {
+TEST_CASE("a body that never renders or renders twice is an error") {
     const Folder folder;
     const Run never = run({"--out", folder / "p"}, [](const rt::RenderFunction&) {});
     CHECK(never.code == 2);
@@ -324,7 +325,7 @@ TEST_CASE("a body that never renders, or renders twice, is told so") {
     CHECK(folder.files() == 0);
 }
 
-TEST_CASE("help ends well, on stdout, and writes nothing") {
+TEST_CASE("help is printed on stdout with exit code 0 and writes nothing") {
     const Run result = run({"--help"});
     CHECK(result.code == 0);
     CHECK_FALSE(result.body_called);
@@ -332,8 +333,8 @@ TEST_CASE("help ends well, on stdout, and writes nothing") {
     CHECK(result.out.rfind("00_test: Does it run?\n", 0) == 0);
 }
 
-TEST_CASE("a report that nobody can take is an error, not a silence") {
-    struct Full : std::streambuf {}; // takes nothing, as a full disk does
+TEST_CASE("a report that cannot be printed is an error") {
+    struct Full : std::streambuf {}; // accepts nothing, like a full disk
     const Folder folder;
     Full full;
     rt::Options options("00_test", "Does it run?", {});
@@ -350,7 +351,7 @@ TEST_CASE("a report that nobody can take is an error, not a silence") {
     CHECK(fs::exists(folder / "p.png"));
 }
 
-TEST_CASE("a program names the learner's headers that it is built with, and is silent without any") {
+TEST_CASE("a program lists the learner's headers that it is built with and prints nothing without any") {
     const Folder folder;
     for (const std::string own : {"03_mirror/mirror.h, 03_mirror/scene.h", ""}) {
         rt::Options options("00_test", "Does it run?", {});
@@ -364,7 +365,7 @@ TEST_CASE("a program names the learner's headers that it is built with, and is s
     }
 }
 
-TEST_CASE("an ending in capitals is the same ending") {
+TEST_CASE("an extension in capitals is the same extension") {
     const Folder folder;
     CHECK(run({"--out", folder / "a.PNG"}).code == 0);
     CHECK(run({"--out", folder / "b.Hdr", "--variance", folder / "v.HDR"}).code == 0);
@@ -376,7 +377,7 @@ TEST_CASE("an ending in capitals is the same ending") {
 #if !defined(_WIN32)
 namespace {
 
-/// An environment variable that has another value for as long as this lives.
+/// Sets an environment variable to another value during its lifetime.
 class Variable {
   public:
     Variable(const char* name_, const std::string& value) : name(name_) {
@@ -392,7 +393,7 @@ class Variable {
     std::optional<std::string> before;
 };
 
-/// A run whose folder goes away while it renders.
+/// Runs a program whose folder is deleted while it renders.
 Run run_without_folder(const std::vector<std::string>& words, const fs::path& gone) {
     return run(words, [&gone](const rt::RenderFunction& render) {
         render(gradient);
@@ -400,7 +401,7 @@ Run run_without_folder(const std::vector<std::string>& words, const fs::path& go
     });
 }
 
-/// The path in the line "wrote PATH" whose end is `ending`.
+/// Returns the path in the line "wrote PATH" that ends in `ending`.
 std::string written(const Run& result, const std::string& ending) {
     std::istringstream lines(result.out);
     for (std::string line; std::getline(lines, line);)
@@ -410,7 +411,7 @@ std::string written(const Run& result, const std::string& ending) {
 
 } // namespace
 
-TEST_CASE("a finished picture goes to the temporary folder if its own is gone") {
+TEST_CASE("a finished picture is saved in the temporary folder if its own folder is gone") {
     const Folder folder, temporary;
     const Variable place("TMPDIR", temporary / "");
     fs::create_directory(folder / "here");
@@ -427,7 +428,7 @@ TEST_CASE("a finished picture goes to the temporary folder if its own is gone") 
     CHECK(temporary.files() == 2);
 }
 
-TEST_CASE("a finished picture goes to the home folder if there is no temporary one") {
+TEST_CASE("a finished picture is saved in the home folder if there is no temporary folder") {
     const Folder folder, home;
     const Variable place("TMPDIR", folder / "none"), other("HOME", home / "");
     fs::create_directory(folder / "here");
@@ -437,7 +438,7 @@ TEST_CASE("a finished picture goes to the home folder if there is no temporary o
     CHECK(home.files() == 1);
 }
 
-TEST_CASE("a picture that no folder takes is said to be lost") {
+TEST_CASE("a picture that cannot be saved anywhere is reported as lost") {
     const Folder folder;
     const Variable place("TMPDIR", folder / "none"), other("HOME", "relative");
     fs::create_directory(folder / "here");
@@ -447,7 +448,7 @@ TEST_CASE("a picture that no folder takes is said to be lost") {
     CHECK_FALSE(contains(result.out, "wrote"));
 }
 
-TEST_CASE("a program that is told to stop dies of that signal, and leaves the old file") {
+TEST_CASE("a program stopped by a signal dies of that signal and leaves the old file unchanged") {
     const Folder folder;
     put(folder / "p.png", "old picture");
     for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
@@ -460,14 +461,14 @@ TEST_CASE("a program that is told to stop dies of that signal, and leaves the ol
         int status = 0;
         waitpid(child, &status, 0);
         CHECK(WIFSIGNALED(status));
-        CHECK(WTERMSIG(status) == number); // a shell says 128 + number
+        CHECK(WTERMSIG(status) == number); // a shell reports 128 + number
     }
     CHECK(bytes_of(folder / "p.png") == "old picture");
     CHECK(folder.files() == 1);
 }
 #endif
 
-TEST_CASE("names of files are printed without what steers a terminal") {
+TEST_CASE("file names are printed without terminal control characters") {
     const Folder folder;
     const Run result = run({"--out", folder / "a\x1b[2Jb.png"});
     CHECK(result.code == 0);
@@ -477,10 +478,10 @@ TEST_CASE("names of files are printed without what steers a terminal") {
 }
 
 #if defined(SIGPIPE)
-TEST_CASE("a reader that leaves early does not cost the picture") {
+TEST_CASE("a reader that closes the pipe early does not cost the picture") {
     const Folder folder;
     const Run result = run({"--out", folder / "p"}, [](const rt::RenderFunction& render) {
-        std::raise(SIGPIPE); // as `| head -1` does: by itself it would end this program
+        std::raise(SIGPIPE); // like `| head -1`; its default action would end this program
         render(gradient);
     });
     CHECK(result.code == 0);
@@ -488,7 +489,7 @@ TEST_CASE("a reader that leaves early does not cost the picture") {
 }
 #endif
 
-TEST_CASE("what Ctrl-C did before the run, it does after it") {
+TEST_CASE("the previous handler of Ctrl-C is restored after the run") {
     const Folder folder;
     void (*const mine)(int) = [](int) {};
     void (*const before)(int) = std::signal(SIGINT, mine);

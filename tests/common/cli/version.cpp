@@ -9,7 +9,7 @@
 #include <sstream>
 #include <string>
 
-TEST_CASE("--version prints the version of the project and nothing else, whatever stands beside it") {
+TEST_CASE("--version prints the version of the project and nothing else whatever the other options") {
     for (const char* beside : {"--quiet", "--teapot"}) {
         rt::Options options("03_test", "What is asked here?", {});
         const std::array<const char*, 3> words{"03_test", beside, "--version"};

@@ -1,4 +1,4 @@
-// Facts about pictures on disk: what is written comes back, what is broken is named, what was there stays.
+// Facts about image files: round trips, error messages for damaged files, and the safety of existing files.
 #include "common/image/image_file.h"
 
 #include "common/util/error.h"
@@ -42,7 +42,7 @@ Image gradient(int width, int height) {
     return image;
 }
 
-/// The error of reading a file of these bytes.
+/// Returns the error of reading a file with these bytes.
 std::string error_of_reading(const Folder& folder, const std::string& name, const std::string& bytes) {
     const std::string path = folder.write(name, bytes);
     return error_of([&] { read_image(path); });
@@ -56,14 +56,14 @@ std::string hdr(const std::string& size, const std::string& data) {
 
 // ---- sRGB
 
-TEST_CASE("a PNG's 8-bit value 128 is linear .2158605, not 128/255 to the power 2.2") {
+TEST_CASE("a PNG's 8-bit value 128 is linear .2158605 and not 128/255 to the power 2.2") {
     const Folder folder;
     const std::string path = folder.write("grey.png", png(1, 1, 8, 2, std::string("\0\x80\xff\x00", 4)));
     const vec3 pixel = read_image(path)(0, 0);
     CHECK(pixel == approx(vec3(0.2158605f, 1, 0), 1e-6f));
 }
 
-TEST_CASE("a 16-bit PNG is decoded with all its bits") {
+TEST_CASE("all bits of a 16-bit PNG are decoded") {
     const Folder folder; // 32768 and 1311 of 65535: .500008 and .020005
     const std::string path = folder.write("deep.png", png(2, 1, 16, 0, std::string("\0\x80\x00\x05\x1f", 5)));
     const Image image = read_image(path);
@@ -73,7 +73,7 @@ TEST_CASE("a 16-bit PNG is decoded with all its bits") {
     CHECK(read_bitmap(path).values[3] == 1311);
 }
 
-TEST_CASE("every 8-bit value survives decoding, encoding, writing and reading") {
+TEST_CASE("every 8-bit value is unchanged by decoding, encoding, writing and reading") {
     const Folder folder;
     std::string row(1, '\0');
     for (int code = 0; code < 256; ++code) row += std::string(3, char(code));
@@ -84,13 +84,13 @@ TEST_CASE("every 8-bit value survives decoding, encoding, writing and reading") 
     for (std::size_t code = 0; code < 256; ++code) CHECK(bitmap.values[3 * code + 1] == code * 257);
 }
 
-TEST_CASE("light is rounded to the nearest 8-bit value, and clamped") {
+TEST_CASE("light is rounded to the nearest 8-bit value and clamped") {
     const Folder folder;
     Image image(5, 1);
     const auto linear = [](double code) { return float(std::pow((code / 255 + 0.055) / 1.055, 2.4)); };
     image(0, 0) = {linear(100.45), linear(100.55), linear(254.55)};
     image(1, 0) = {-1, 0, 7};
-    image(2, 0) = {0.002f, 0.0001f, 0.0031308f}; // in the toe: 12.92 x
+    image(2, 0) = {0.002f, 0.0001f, 0.0031308f}; // in the linear segment: 12.92 x
     image(3, 0) = vec3(0.5f);
     image(4, 0) = vec3(std::numeric_limits<float>::max());
     write_image(folder / "a.png", image);
@@ -100,7 +100,7 @@ TEST_CASE("light is rounded to the nearest 8-bit value, and clamped") {
     for (std::size_t i = 0; i < 15; ++i) CHECK(values[i] == codes[i] * 257);
 }
 
-TEST_CASE("grey stands in all channels, and rows run from the top") {
+TEST_CASE("grey is copied to all channels and rows run from the top") {
     const Folder folder;
     const std::string grey_alpha =
         folder.write("ga.png", png(1, 2, 8, 4, std::string("\0\x40\x00\0\x80\x01", 6)));
@@ -112,7 +112,7 @@ TEST_CASE("grey stands in all channels, and rows run from the top") {
 
 // ---- opacity
 
-TEST_CASE("an alpha channel is opacity; a picture that is opaque everywhere has none") {
+TEST_CASE("an alpha channel is opacity and a fully opaque picture has none") {
     const Folder folder;
     const auto opacity = [&](const std::string& bytes) {
         return read_bitmap(folder.write("a.png", bytes)).opacity;
@@ -123,7 +123,7 @@ TEST_CASE("an alpha channel is opacity; a picture that is opaque everywhere has 
           Values{0x1234, 65535});
     CHECK(opacity(png(2, 1, 8, 4, std::string("\0\x40\xff\x80\xff", 5))).empty());
     CHECK_MESSAGE(opacity(png(2, 1, 8, 4, std::string("\0\x40\0\x80\0", 5))).empty(),
-                  "0 everywhere is what programs write that know no alpha");
+                  "programs that do not support alpha write 0 everywhere");
     const std::string two = chunk("PLTE", "abcdef") + chunk("tRNS", std::string("\0\x40", 2));
     CHECK(opacity(png(2, 1, 8, 3, std::string("\0\0\1", 3), two)) == Values{0, 0x4040});
     const std::string key = chunk("tRNS", std::string("\0\x40", 2)); // grey 64 is transparent
@@ -132,7 +132,7 @@ TEST_CASE("an alpha channel is opacity; a picture that is opaque everywhere has 
 
 // ---- palettes
 
-TEST_CASE("a pixel that names a colour beyond its palette is black, not what lay in memory") {
+TEST_CASE("a pixel whose index exceeds its palette is black and not uninitialised memory") {
     const Folder folder;
     const std::string path =
         folder.write("a.png", png(2, 1, 8, 3, std::string("\0\0\xff", 3), chunk("PLTE", "\x10\x20\x30")));
@@ -143,7 +143,7 @@ TEST_CASE("a pixel that names a colour beyond its palette is black, not what lay
 
 // ---- memory
 
-TEST_CASE("no file takes memory that its size cannot need") {
+TEST_CASE("no file takes more memory than its size can require") {
     const Folder folder;
     const std::string bomb = packed_png(8, 8, 8, 2, zeros(4000)); // a megabyte in 6.5 KB
     CHECK_ERROR(error_of_reading(folder, "bomb.png", bomb), "bomb.png", "more data");
@@ -155,7 +155,7 @@ TEST_CASE("no file takes memory that its size cannot need") {
     CHECK(read_bitmap(folder.write("split.png", split)).values[0] == 0x7777); // a chunk may be empty
 }
 
-TEST_CASE("an interlaced PNG, whose rows take more bytes than its size tells, is read") {
+TEST_CASE("an interlaced PNG is read although its rows take more bytes than its size suggests") {
     const Folder folder;
     std::string rows; // of the seven passes over 8 x 8 pixels
     for (const int width : {1, 1, 2, 2, 2, 4, 4, 4, 4, 4, 4, 8, 8, 8, 8}) {
@@ -163,11 +163,11 @@ TEST_CASE("an interlaced PNG, whose rows take more bytes than its size tells, is
         rows.append(std::size_t(width), '\x44');
     }
     std::string bytes = png(8, 8, 8, 0, rows);
-    bytes[28] = 1; // in the header, as the last byte before its checksum
+    bytes[28] = 1; // last byte of the header before its checksum
     CHECK(read_bitmap(folder.write("a.png", bytes)).values == std::vector<std::uint16_t>(192, 0x4444));
 }
 
-TEST_CASE("a model's textures have a limit together, in plain words") {
+TEST_CASE("the limit on all textures of a model is reported in plain words") {
     CHECK(size_error(10'000, 10'000, 100'000'000).empty());
     CHECK_ERROR(size_error(10'000, 10'000, 99'999'999), "10000 x 10000", "all textures", "2 GB");
     const Folder folder;
@@ -178,10 +178,10 @@ TEST_CASE("a model's textures have a limit together, in plain words") {
 
 // ---- JPEG, TGA, BMP
 
-TEST_CASE("a JPEG is read: grey, RGB, YCbCr and ink, in one pass or several") {
+TEST_CASE("a JPEG is read in grey, RGB, YCbCr and CMYK with one pass or several") {
     const Folder folder;
     const auto first = [&](const std::string& bytes) {
-        const Bitmap bitmap = read_bitmap(folder.write("a.png", bytes)); // whatever its name says
+        const Bitmap bitmap = read_bitmap(folder.write("a.png", bytes)); // whatever its name
         CHECK(bitmap.flaw == "");
         CHECK(bitmap.values.size() == std::size_t(bitmap.width * bitmap.height * 3));
         return vec3(bitmap.values[0], bitmap.values[1], bitmap.values[2]) / 257.0f;
@@ -190,14 +190,14 @@ TEST_CASE("a JPEG is read: grey, RGB, YCbCr and ink, in one pass or several") {
     CHECK(first(jpeg(5, 3, 1, "\x50", {.progressive = true})) == vec3(80));
     CHECK(first(jpeg(8, 8, 3, "\xc8\x64\x32", {.adobe = true})) == vec3(200, 100, 50));
     CHECK(first(jpeg(8, 8, 3, "\x64\x80\xc8")) ==
-          approx(vec3(201, 49, 100), 0.03f)); // Cr 72 above the middle
+          approx(vec3(201, 49, 100), 0.03f)); // Cr is 72 above the middle
     CHECK(first(jpeg(8, 8, 4, "\xff\x80\x40\x80", {.adobe = true})) == approx(vec3(128, 64, 32), 0.01f));
     const Bitmap two = read_bitmap(folder.write("two.jpg", jpeg(16, 8, 1, "\x10\xf0")));
     CHECK(two.values[3 * 7] == 0x1010);
     CHECK(two.values[3 * 8] == 0xf0f0);
 }
 
-TEST_CASE("a JPEG that is cut short is read as far as it goes, and says so") {
+TEST_CASE("a truncated JPEG is read as far as possible and reports the flaw") {
     const Folder folder;
     std::string squares;
     for (int i = 0; i < 64; ++i) squares += char(i % 2 == 0 ? 0x20 : 0xe0);
@@ -206,12 +206,12 @@ TEST_CASE("a JPEG that is cut short is read as far as it goes, and says so") {
     const Bitmap bitmap = read_bitmap(path);
     CHECK(bitmap.flaw == "is cut short");
     CHECK(bitmap.values[0] == 0x2020);
-    CHECK_ERROR(error_of([&] { read_image(path); }), "cut.jpg", "cut short"); // nothing to compare with
+    CHECK_ERROR(error_of([&] { read_image(path); }), "cut.jpg", "cut short"); // useless for comparison
     for (std::size_t size = 3; size < 150; size += 7)
         CHECK_ERROR(error_of_reading(folder, "head.jpg", whole.substr(0, size)), "head.jpg");
 }
 
-TEST_CASE("a JPEG of too many pixels or passes is refused") {
+TEST_CASE("a JPEG with too many pixels or passes is rejected") {
     const Folder folder;
     CHECK_ERROR(error_of_reading(folder, "a.jpg", jpeg(30'000, 8, 1, "\x50")), "a.jpg", "too large");
     CHECK_ERROR(error_of_reading(folder, "b.jpg", jpeg(16'384, 16'384, 1, "\x50")), "b.jpg", "too large");
@@ -233,7 +233,7 @@ std::string bmp(int width, int height, int bits, const std::string& palette, con
            rows;
 }
 
-/// `kind`: 2 RGB, 3 grey, 10 RGB in runs. Rows run from the top.
+/// Returns a TGA file of type `kind`: 2 RGB, 3 grey, 10 RGB with run lengths. Rows run from the top.
 std::string tga(int kind, int width, int height, int bits, const std::string& pixels) {
     return std::string{'\0', '\0', char(kind)} + little_endian(0, 9) +
            little_endian(std::uint32_t(width), 2) + little_endian(std::uint32_t(height), 2) + char(bits) +
@@ -242,7 +242,7 @@ std::string tga(int kind, int width, int height, int bits, const std::string& pi
 
 } // namespace
 
-TEST_CASE("a BMP is read, from the bottom or the top; a colour beyond its palette is black") {
+TEST_CASE("a BMP is read from the bottom or the top; a colour beyond its palette is black") {
     const Folder folder;
     const auto values = [&](const std::string& bytes) {
         return read_bitmap(folder.write("a.bmp", bytes)).values;
@@ -260,7 +260,7 @@ TEST_CASE("a BMP is read, from the bottom or the top; a colour beyond its palett
     CHECK_ERROR(error_of_reading(folder, "odd.bmp", bmp(1, least, 24, "", rows)), "odd.bmp");
 }
 
-TEST_CASE("a BMP whose pixels begin inside its header, or are packed, is refused") {
+TEST_CASE("a BMP is rejected if its pixels begin inside its header or are compressed") {
     const Folder folder;
     const auto changed = [](std::string bytes, std::size_t at, std::uint32_t value) {
         return bytes.replace(at, 4, little_endian(value, 4));
@@ -278,7 +278,7 @@ TEST_CASE("a BMP whose pixels begin inside its header, or are packed, is refused
     CHECK_ERROR(error_of_reading(folder, "old.bmp", old), "old.bmp", "inside its header");
 }
 
-TEST_CASE("a TGA is read, with runs or without, and named if it is cut short") {
+TEST_CASE("a TGA is read with or without run lengths; an error names it if it is truncated") {
     const Folder folder;
     const std::string plain = tga(2, 2, 1, 24, "\x30\x20\x10\x60\x50\x40");
     const std::vector<std::uint16_t> two{0x1010, 0x2020, 0x3030, 0x4040, 0x5050, 0x6060};
@@ -295,11 +295,11 @@ TEST_CASE("a TGA is read, with runs or without, and named if it is cut short") {
     }
     CHECK_ERROR(error_of_reading(folder, "vast.tga", tga(10, 9000, 9000, 24, "\xff\1\2\3")), "cut short");
     std::string indexed = tga(1, 1, 1, 8, std::string(9, '\1'));
-    indexed.replace(1, 7, std::string("\1\1\2\0\2\0\x18", 7)); // two colours of 24 bits, from number 2 on
+    indexed.replace(1, 7, std::string("\1\1\2\0\2\0\x18", 7)); // two colours of 24 bits, from index 2 on
     CHECK_ERROR(error_of_reading(folder, "from.tga", indexed), "from.tga", "colour 2");
 }
 
-TEST_CASE("what is no picture is refused in the words of what is read") {
+TEST_CASE("a file that is not a picture is rejected with a list of the supported formats") {
     const Folder folder;
     CHECK_ERROR(error_of_reading(folder, "a.gif", "GIF89a\1\0\1\0\0\0\0;"), "PNG, JPEG, TGA, BMP or HDR");
     CHECK_ERROR(error_of_reading(folder, "a.png", std::string("\0\0\2", 3) + std::string(99, '\1')),
@@ -308,7 +308,7 @@ TEST_CASE("what is no picture is refused in the words of what is read") {
 
 // ---- .hdr
 
-TEST_CASE("an .hdr that was exposed is read as the light before that") {
+TEST_CASE("the exposure of an .hdr is undone when it is read") {
     const std::string pixel = "\x80\x40\x20\x81"; // 1, 1/2, 1/4
     const auto first = [&](const std::string& lines) {
         return decode_hdr("#?RADIANCE\n" + lines + "FORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n" + pixel)(0, 0);
@@ -321,16 +321,16 @@ TEST_CASE("an .hdr that was exposed is read as the light before that") {
         CHECK_ERROR(error_of([&] { first(line); }), "invalid line", std::string(line).substr(0, 8));
 }
 
-TEST_CASE("an .hdr as a texture is clamped and takes the sRGB curve") {
+TEST_CASE("an .hdr used as a texture is clamped and encoded with the sRGB curve") {
     const Folder folder;
     const std::string path =
         folder.write("a.hdr", hdr("-Y 1 +X 1", std::string("\x80\x40\0\x82", 4))); // 2, 1, 0
     CHECK(read_bitmap(path).values == std::vector<std::uint16_t>{65535, 65535, 0});
 }
 
-TEST_CASE(".hdr keeps each channel within half a step, 1/256 of the largest one at most") {
+TEST_CASE(".hdr keeps each channel within half a step of at most 1/256 of the largest one") {
     const Folder folder;
-    for (const int width : {1, 7, 8, 9, 130, 300}) { // 8 and more are run-length encoded
+    for (const int width : {1, 7, 8, 9, 130, 300}) { // from 8 on, rows are run-length encoded
         const Image image = gradient(width, 5);
         write_image(folder / "a.hdr", image);
         const Image back = read_image(folder / "a.hdr");
@@ -343,7 +343,7 @@ TEST_CASE(".hdr keeps each channel within half a step, 1/256 of the largest one 
     }
 }
 
-TEST_CASE(".hdr is rounded, so that a picture does not grow darker by being written") {
+TEST_CASE(".hdr values are rounded so that writing does not make a picture darker") {
     double written = 0, read = 0;
     for (int i = 0; i < 10000; ++i) {
         const float value = std::exp(float(i) * 0.001f);
@@ -353,7 +353,8 @@ TEST_CASE(".hdr is rounded, so that a picture does not grow darker by being writ
     CHECK(std::abs(read / written - 1) < 1e-4);
 }
 
-TEST_CASE(".hdr: the exponent of every power of two, of what rounds up to one, and of the extremes") {
+TEST_CASE(
+    ".hdr has correct exponents at powers of two, at values that round up to one, and at the extremes") {
     for (int power = -126; power < 127; ++power) {
         const float value = std::ldexp(1.0f, power);
         CHECK(linear_from_rgbe(rgbe_from_linear(vec3(value, 0, value / 2))) == vec3(value, 0, value / 2));
@@ -366,16 +367,16 @@ TEST_CASE(".hdr: the exponent of every power of two, of what rounds up to one, a
     CHECK(rgbe_from_linear(vec3(least)) == Rgbe{0, 0, 0, 0});
 }
 
-TEST_CASE(".hdr: runs, stretches and their longest lengths come back") {
+TEST_CASE(".hdr keeps runs and literals of any length") {
     Image image(1000, 1);
     for (int x = 0; x < 1000; ++x)
         image(x, 0) = vec3(x < 400 ? 1.0f : x < 403 ? 2.0f : float(x % 5 + x / 600));
     const std::string bytes = encode_hdr(image);
-    CHECK(bytes.size() < 4000); // 4000 bytes flat
+    CHECK(bytes.size() < 4000); // 4000 bytes uncompressed
     CHECK(decode_hdr(bytes).pixels == image.pixels);
 }
 
-TEST_CASE(".hdr: what was read is written again, byte for byte") {
+TEST_CASE(".hdr data that were read are written again byte for byte") {
     std::mt19937 random(7);
     Image image(300, 5);
     for (vec3& pixel : image.pixels) {
@@ -395,7 +396,7 @@ TEST_CASE(".hdr without runs, as other programs write it, is read") {
     CHECK(image(8, 0) == vec3(0.5f));
 }
 
-TEST_CASE("an .hdr that is cut short anywhere is named as such, and does not hang") {
+TEST_CASE("a truncated .hdr is reported as such and does not hang") {
     const std::string whole = encode_hdr(gradient(40, 6));
     for (std::size_t size = 0; size < whole.size(); ++size) {
         const std::string message = error_of([&] { decode_hdr(whole.substr(0, size)); });
@@ -403,7 +404,7 @@ TEST_CASE("an .hdr that is cut short anywhere is named as such, and does not han
     }
 }
 
-TEST_CASE("an .hdr that is damaged is an error with its path") {
+TEST_CASE("a damaged .hdr is an error with its path") {
     const Folder folder;
     const std::string row = "\x02\x02" + std::string(1, '\0') + "\x08";
     CHECK_ERROR(error_of_reading(folder, "a.hdr", hdr("-Y 1 +X 8", row + "\x89\x01" + std::string(99, '\1'))),
@@ -422,9 +423,9 @@ TEST_CASE("an .hdr that is damaged is an error with its path") {
     CHECK_ERROR(error_of_reading(folder, "j.hdr", ""), "j.hdr", "cut short");
 }
 
-// ---- what is not finite
+// ---- non-finite values
 
-TEST_CASE("a pixel that is not a number, or infinite, is magenta in both formats") {
+TEST_CASE("a pixel that is NaN or infinite is magenta in both formats") {
     const Folder folder;
     const float nan = std::numeric_limits<float>::quiet_NaN();
     Image image = uniform(3, 1, vec3(0.5f));
@@ -439,7 +440,7 @@ TEST_CASE("a pixel that is not a number, or infinite, is magenta in both formats
     }
 }
 
-// ---- reading what cannot be read
+// ---- unreadable files
 
 TEST_CASE("a picture that cannot be read is an error with its path and the reason") {
     const Folder folder;
@@ -455,12 +456,12 @@ TEST_CASE("a picture that cannot be read is an error with its path and the reaso
     CHECK_ERROR(error_of_reading(folder, "none.png", png(0, 1, 8, 0, "")), "none.png");
     const std::string odd = png(1, 1, 8, 0, std::string(2, '\0')).insert(33, chunk("A\n\x01\xff", ""));
     CHECK_ERROR(error_of_reading(folder, "odd.png", odd), "odd.png",
-                "(A??? PNG chunk not known)"); // on one line
+                "(A??? PNG chunk not known)"); // as one line
     CHECK_ERROR(error_of_reading(folder, "short.png", png(40, 40, 8, 2, "too few rows")), "short.png",
                 "damaged");
 }
 
-TEST_CASE("a PNG that is cut short is an error, not half a picture") {
+TEST_CASE("a truncated PNG is an error and not half a picture") {
     const Folder folder;
     write_image(folder / "whole.png", gradient(40, 30));
     const std::string whole = bytes_of(folder / "whole.png");
@@ -469,15 +470,15 @@ TEST_CASE("a PNG that is cut short is an error, not half a picture") {
 }
 
 #if !defined(_WIN32)
-TEST_CASE("a device is no picture, and is not read without end") {
+TEST_CASE("a device is rejected as a picture and not read endlessly") {
     CHECK_ERROR(error_of([] { read_image("/dev/zero"); }), "/dev/zero", "device");
 }
 #endif
 
-TEST_CASE("names with spaces and letters of other alphabets are read and written") {
+TEST_CASE("file names with spaces and non-Latin letters are read and written") {
     const Folder folder;
     for (const char* name : {"ein Bild.png", "Füße.png", "猫.hdr", "Größe/猫 牛.PNG"}) {
-        folder.write(std::string(name) + ".neighbour", ""); // makes the folder
+        folder.write(std::string(name) + ".neighbour", ""); // creates the folder
         check_writable(folder / name);
         write_image(folder / name, uniform(9, 2, vec3(1, 0, 0.5f)));
         CHECK(read_image(folder / name)(8, 1) == approx(vec3(1, 0, 0.5f), 3e-3f));
@@ -486,7 +487,7 @@ TEST_CASE("names with spaces and letters of other alphabets are read and written
 
 // ---- writing
 
-TEST_CASE("an output that cannot be written is found out before rendering") {
+TEST_CASE("an output that cannot be written is detected before rendering") {
     const Folder folder;
     fs::create_directories(folder.path / "folder.png");
     CHECK_ERROR(error_of([&] { check_writable(folder / "folder.png"); }), "folder.png", "is a folder");
@@ -499,7 +500,7 @@ TEST_CASE("an output that cannot be written is found out before rendering") {
     CHECK_ERROR(error_of([&] { check_writable(file + "/a.png"); }), "not a folder");
 }
 
-TEST_CASE("asking whether an output can be written leaves no trace") {
+TEST_CASE("the test whether an output can be written leaves no trace") {
     const Folder folder;
     check_writable(folder / "new.png");
     CHECK(folder.files() == 0);
@@ -529,7 +530,7 @@ TEST_CASE("writing replaces the old file and leaves nothing else behind") {
 #if !defined(_WIN32)
 namespace {
 
-/// A disk that takes no more than this, for as long as it lives.
+/// A simulated disk that accepts only this many bytes, during its lifetime.
 class FullDisk {
   public:
     explicit FullDisk(rlim_t bytes) : handler(std::signal(SIGXFSZ, SIG_IGN)) {
@@ -551,12 +552,12 @@ class FullDisk {
 
 } // namespace
 
-TEST_CASE("a full disk is an error; the old file survives and no half file stays") {
+TEST_CASE("a full disk is an error; the old file survives and no partial file remains") {
     const Folder folder;
     const std::string old = folder.write("old.hdr", "as it was");
     std::string message, message_of_new;
     {
-        const FullDisk disk(50); // less than a buffer: the stream hears of it only when it is closed
+        const FullDisk disk(50); // less than a buffer: the stream fails only when it is closed
         message = error_of([&] { write_image(old, gradient(9, 9)); });
         message_of_new = error_of([&] { write_image(folder / "new.png", gradient(400, 400)); });
     }
@@ -567,8 +568,7 @@ TEST_CASE("a full disk is an error; the old file survives and no half file stays
 }
 
 TEST_CASE("a device or pipe is never replaced by a picture") {
-    const Folder
-        folder; // a pipe of our own: a mistake made as the superuser must not cost the machine its /dev/full
+    const Folder folder; // a test pipe: as the superuser, an error must not replace /dev/full
     REQUIRE(mkfifo((folder / "pipe.png").c_str(), 0600) == 0);
     CHECK_ERROR(error_of([&] { check_writable(folder / "pipe.png"); }), "pipe.png", "not a plain file");
     CHECK_ERROR(error_of([&] { write_image(folder / "pipe.png", gradient(9, 9)); }), "pipe.png",
@@ -578,7 +578,7 @@ TEST_CASE("a device or pipe is never replaced by a picture") {
     CHECK(folder.files() == 1);
 }
 
-TEST_CASE("a link stays a link, and the file that it names is replaced") {
+TEST_CASE("a link stays a link and the file that it names is replaced") {
     const Folder folder;
     folder.write("there/a.png", "old");
     fs::create_symlink("there/a.png", folder.path / "here.png");
@@ -587,9 +587,9 @@ TEST_CASE("a link stays a link, and the file that it names is replaced") {
     CHECK(read_bitmap(folder / "there/a.png").width == 9);
 }
 
-TEST_CASE("what is write-protected is found out before rendering") {
+TEST_CASE("a write-protected output is detected before rendering") {
     if (geteuid() == 0) {
-        SKIP_CHECK("the superuser may write everywhere");
+        SKIP_CHECK("the superuser can write everywhere");
         return;
     }
     const Folder folder;
@@ -604,7 +604,7 @@ TEST_CASE("what is write-protected is found out before rendering") {
 }
 #endif
 
-TEST_CASE("discarding an unfinished file does nothing when there is none") {
+TEST_CASE("discarding an unfinished file does nothing if there is none") {
     discard_unfinished_file();
     const Folder folder;
     write_image(folder / "a.png", gradient(3, 3));

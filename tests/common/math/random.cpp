@@ -1,6 +1,6 @@
-// Facts about the random numbers: which ones they are, for ever, and that they look like chance.
-// The seeds are fixed, so these checks pass or fail for good; the rates of false alarm that they state hold
-// for whoever changes the generator.
+// Facts about the random numbers: their fixed values, and their statistical quality.
+// The seeds are fixed, so the results are reproducible; the stated rates of false alarms
+// apply if the generator changes.
 #include "common/math/random.h"
 
 #include <doctest/doctest.h>
@@ -17,7 +17,8 @@ namespace {
 
 constexpr int size = 1 << 20;
 
-/// Pearson's r of a[i] with b[i]. For independent numbers it is about normal with deviation 1 / sqrt(n).
+/// Returns Pearson's r of a[i] and b[i]. For independent numbers it is approximately normal
+/// with deviation 1 / sqrt(n).
 double correlation(const std::vector<float>& a, const std::vector<float>& b) {
     double sum_a = 0, sum_b = 0, aa = 0, bb = 0, ab = 0;
     for (std::size_t i = 0; i < a.size(); ++i) {
@@ -32,12 +33,12 @@ double correlation(const std::vector<float>& a, const std::vector<float>& b) {
     return (ab - sum_a * sum_b / n) / std::sqrt((aa - sum_a * sum_a / n) * (bb - sum_b * sum_b / n));
 }
 
-/// |r| below this: 5 standard deviations, one false alarm in 1.7 million.
+/// Returns the limit of |r|: 5 standard deviations, one false alarm in 1.7 million.
 double correlation_limit(std::size_t count) {
     return 5 / std::sqrt(double(count));
 }
 
-/// Pearson's chi-square of 256 equal bins: 255 degrees of freedom.
+/// Returns Pearson's chi-square of 256 equal bins: 255 degrees of freedom.
 double chi_square(const std::vector<float>& numbers) {
     std::array<double, 256> bins{};
     for (const float u : numbers) bins[std::size_t(u * 256)] += 1;
@@ -47,7 +48,7 @@ double chi_square(const std::vector<float>& numbers) {
     return sum;
 }
 
-/// One false alarm in a million: half of it below (too even), half above.
+/// Checks uniformity with one false alarm in a million: half of it too low (too even), half too high.
 void check_uniform(const std::vector<float>& numbers) {
     const double found = chi_square(numbers);
     CHECK(found > 159.4);
@@ -61,7 +62,8 @@ std::vector<float> one_stream() {
     return numbers;
 }
 
-/// The first number of each pixel of a 1024 x 1024 picture, moved by (dx, dy) pixels, dsample and dseed.
+/// Returns the first number of each pixel of a 1024 x 1024 picture, offset by (dx, dy)
+/// pixels, dsample and dseed.
 std::vector<float> first_numbers(int dx, int dy, int dsample, int dseed) {
     std::vector<float> numbers;
     for (int y = 0; y < 1024; ++y)
@@ -72,21 +74,21 @@ std::vector<float> first_numbers(int dx, int dy, int dsample, int dseed) {
 
 } // namespace
 
-TEST_CASE("scatter with a counter gives the published numbers of SplitMix64") {
-    // Seed 1234567; the numbers stand in many other implementations' tests.
+TEST_CASE("mix64 with a counter gives the published numbers of SplitMix64") {
+    // Seed 1234567; many other implementations test these numbers.
     std::uint64_t counter = 1234567;
     CHECK(rt::mix64(counter += 0x9e3779b97f4a7c15u) == 6457827717110365317u);
     CHECK(rt::mix64(counter += 0x9e3779b97f4a7c15u) == 3203168211198807973u);
     CHECK(rt::mix64(counter += 0x9e3779b97f4a7c15u) == 9817491932198370423u);
 }
 
-TEST_CASE("the first random numbers are these, on every machine, for ever") {
+TEST_CASE("the first random numbers are fixed on every machine") {
     struct Pin {
         int x, y, sample;
         std::uint64_t seed;
         std::array<std::uint64_t, 3> bits;
     };
-    // Computed from the definition by a program of another language.
+    // Computed from the definition by a program in a different language.
     const Pin pins[] = {
         {0, 0, 0, 0, {0xe220a8397b1dcdaf, 0x6e789e6aa1b965f4, 0x06c45d188009454f}},
         {0, 0, 0, 1, {0x4181b152fb77616f, 0x169c646d52269d62, 0x4a5de8d8d53b7280}},
@@ -111,7 +113,7 @@ TEST_CASE("the first random numbers are these, on every machine, for ever") {
     CHECK(keyed.bits() == 0x989b3f130a063869);
 }
 
-TEST_CASE("uniform is the top 24 bits as a fraction, and uniform2 draws x before y") {
+TEST_CASE("uniform is the top 24 bits as a fraction and uniform2 draws x before y") {
     rt::Random random(0, 0, 0, 1);
     CHECK(random.uniform() == 4293041 / 16777216.0f);
     CHECK(random.uniform() == 1481828 / 16777216.0f);
@@ -120,7 +122,7 @@ TEST_CASE("uniform is the top 24 bits as a fraction, and uniform2 draws x before
     CHECK(point.y == 9500655 / 16777216.0f);
 }
 
-TEST_CASE("no two of pixel, sample and seed share a stream") {
+TEST_CASE("different pixels, samples and seeds have different streams") {
     std::set<std::uint64_t> firsts;
     std::size_t streams = 0;
     const auto add = [&](int x, int y, int sample, std::uint64_t seed) {
@@ -128,7 +130,7 @@ TEST_CASE("no two of pixel, sample and seed share a stream") {
         firsts.insert(rt::Random(x, y, sample, seed).bits());
     };
     add(0, 0, 0, 7);
-    for (int bit = 0; bit < 20; ++bit) { // every bit that the comment allows
+    for (int bit = 0; bit < 20; ++bit) { // every bit that the comment permits
         add(1 << bit, 0, 0, 7);
         add(0, 1 << bit, 0, 7);
     }
@@ -137,11 +139,12 @@ TEST_CASE("no two of pixel, sample and seed share a stream") {
     for (int y = 1; y < 20; ++y)
         for (int x = 1; x < 20; ++x)
             for (int sample = 1; sample < 20; ++sample)
-                add(x << 1 | 1, y << 1 | 1, sample << 1 | 1, 7); // odd, so that none of them is above
+                add(x << 1 | 1, y << 1 | 1, sample << 1 | 1,
+                    7); // odd, so that none repeats a stream from above
     CHECK(firsts.size() == streams);
 }
 
-TEST_CASE("uniform stays between 0 and below 1, with mean 1/2 and variance 1/12") {
+TEST_CASE("uniform is at least 0 and below 1 with mean 1/2 and variance 1/12") {
     double sum = 0, squares = 0;
     float least = 1, most = 0;
     for (const float u : one_stream()) {
@@ -152,7 +155,7 @@ TEST_CASE("uniform stays between 0 and below 1, with mean 1/2 and variance 1/12"
     }
     CHECK(least >= 0);
     CHECK(most < 1);
-    CHECK(least < 2e-5f); // of 2^20 numbers: the chance of none below this is e^-20
+    CHECK(least < 2e-5f); // of 2^20 numbers: e^-20 is the probability of none below this
     CHECK(most > 1 - 2e-5f);
     // 5 standard deviations each: sqrt(1/12 / n) and sqrt(1/180 / n).
     CHECK(std::abs(sum / size - 0.5) < 5 * std::sqrt(1 / 12.0 / size));
@@ -173,7 +176,7 @@ TEST_CASE("the first numbers of the pixels of a picture fill the unit interval e
     check_uniform(first_numbers(0, 0, 0, 0));
 }
 
-TEST_CASE("consecutive numbers of a stream do not know each other") {
+TEST_CASE("consecutive numbers of a stream are uncorrelated") {
     const std::vector<float> numbers = one_stream();
     for (const std::ptrdiff_t lag : {1, 2, 3}) {
         CAPTURE(lag);
@@ -183,7 +186,7 @@ TEST_CASE("consecutive numbers of a stream do not know each other") {
     }
 }
 
-TEST_CASE("neighbouring pixels, samples and seeds do not know each other") {
+TEST_CASE("neighbouring pixels, samples and seeds are uncorrelated") {
     const std::vector<float> here = first_numbers(0, 0, 0, 0);
     const int moves[][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {1, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
     for (const auto& move : moves) {
@@ -197,7 +200,8 @@ TEST_CASE("neighbouring pixels, samples and seeds do not know each other") {
 }
 
 TEST_CASE("pairs of numbers fill the unit square evenly") {
-    // 16 x 16 cells by the two numbers of uniform2, over the pixels of a picture: stripes would show here.
+    // 16 x 16 cells, from the two numbers of uniform2, over the pixels of a picture:
+    // stripes would be detected here.
     std::vector<float> cells;
     for (int y = 0; y < 512; ++y) {
         for (int x = 0; x < 512; ++x) {

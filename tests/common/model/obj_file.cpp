@@ -1,5 +1,4 @@
-// Facts about OBJ files: what the format allows is read as it is meant, what is wrong is named with file and
-// line.
+// Facts about OBJ files: valid input is read correctly, and an error names its file and line.
 #include "common/model/obj_file.h"
 
 #include "common/util/error.h"
@@ -31,7 +30,7 @@ ObjModel read(const std::string& text) {
     return read(folder, text);
 }
 
-/// The error of reading this text, with the folder's name left out.
+/// Returns the error of reading this text, without the folder's name.
 std::string error_of_text(const std::string& text) {
     const Folder folder;
     const std::string path = folder.write("a.obj", text);
@@ -41,7 +40,7 @@ std::string error_of_text(const std::string& text) {
     return message.compare(0, path.size(), path) == 0 ? "a.obj" + message.substr(path.size()) : message;
 }
 
-/// What is said on stderr while this is read.
+/// Returns what is printed on stderr while this text is read.
 std::string warnings_of(const Folder& folder, const std::string& text) {
     const Stderr said;
     read(folder, text);
@@ -54,8 +53,7 @@ vec3 area_vector(const std::vector<vec3>& positions, const std::array<ObjIndex, 
     return cross(b - a, c - a) * 0.5f;
 }
 
-/// The sum of the triangles' areas, negative for those that are turned the wrong way round as seen along
-/// `axis`.
+/// Returns the sum of the triangles' areas, negative for those that run clockwise as seen along `axis`.
 float area(const ObjModel& file, vec3 axis) {
     float sum = 0;
     for (const auto& triangle : file.triangles) sum += dot(area_vector(file.positions, triangle), axis);
@@ -68,8 +66,8 @@ float area(const ObjModel& file) {
     return sum;
 }
 
-/// A polygon in the plane z = 0 as an OBJ, moved and turned: what is right must not depend on where it
-/// stands.
+/// Returns a polygon in the plane z = 0 as OBJ text, translated and rotated, because the result must not
+/// depend on its position.
 std::string polygon_text(const std::vector<vec2>& corners, vec3 origin, vec3 right, vec3 up) {
     std::string text, face = "f";
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -89,7 +87,7 @@ float shoelace(const std::vector<vec2>& corners) {
     return sum;
 }
 
-/// Cuts the polygon in several places and directions and from each of its corners on.
+/// Triangulates the polygon at several positions and orientations, starting from each of its corners.
 void check_area_is_kept(std::vector<vec2> corners) {
     const vec3 origins[] = {vec3(0.0f), vec3(5, -7, 3), vec3(-40, 2, 9)};
     const vec3 rights[] = {vec3(1, 0, 0), vec3(0.6f, 0.8f, 0), vec3(0, 0, 1)};
@@ -100,9 +98,9 @@ void check_area_is_kept(std::vector<vec2> corners) {
         for (const vec3 origin : origins) {
             for (int i = 0; i < 3; ++i) {
                 const ObjModel file = read(polygon_text(corners, origin, rights[i], ups[i]));
-                CHECK(area(file) == approx(std::abs(expected), 1e-4f)); // nothing twice, nothing outside
+                CHECK(area(file) == approx(std::abs(expected), 1e-4f)); // no overlap, no excess
                 CHECK(area(file, cross(rights[i], ups[i])) ==
-                      approx(expected, 1e-4f)); // and turned as it was
+                      approx(expected, 1e-4f)); // orientation is preserved
             }
         }
     }
@@ -110,14 +108,14 @@ void check_area_is_kept(std::vector<vec2> corners) {
 
 } // namespace
 
-// ---- what the format allows
+// ---- what the format permits
 
-TEST_CASE("a triangle's corners name positions, texture coordinates and normals by number") {
+TEST_CASE("the corners of a triangle refer to positions, texture coordinates and normals by index") {
     const ObjModel file = read(four + "vt .1 .2\nvt .3 .4\nvn 0 0 2\nf 1/2/1 2/1/1 3/2/1\n");
     REQUIRE(file.triangles.size() == 1);
     CHECK(file.positions[2] == vec3(1, 1, 0));
     CHECK(file.uvs[1] == vec2(0.3f, 0.4f));
-    CHECK(file.normals[0] == vec3(0, 0, 2)); // as given
+    CHECK(file.normals[0] == vec3(0, 0, 2)); // unnormalised
     CHECK(file.triangles[0][0].position == 0);
     CHECK(file.triangles[0][0].uv == 1);
     CHECK(file.triangles[0][0].normal == 0);
@@ -127,18 +125,18 @@ TEST_CASE("a triangle's corners name positions, texture coordinates and normals 
     CHECK(file.materials[0].diffuse == vec3(0.6f));
 }
 
-TEST_CASE("v, v/vt, v//vn and v/vt/vn may be mixed; what is absent is -1") {
+TEST_CASE("v, v/vt, v//vn and v/vt/vn may be mixed; a missing index is -1") {
     const ObjModel file = read(four + "vt 0 0\nvn 0 0 1\nf 1 2/1 3//1\nf 1/ 3// 4/1/\n");
     REQUIRE(file.triangles.size() == 2);
     const auto& t = file.triangles[0];
     CHECK((t[0].uv == -1 && t[0].normal == -1));
     CHECK((t[1].uv == 0 && t[1].normal == -1));
     CHECK((t[2].uv == -1 && t[2].normal == 0));
-    const auto& u = file.triangles[1]; // a '/' with nothing behind it
+    const auto& u = file.triangles[1]; // a '/' with nothing after it
     CHECK((u[0].uv == -1 && u[1].position == 2 && u[1].normal == -1 && u[2].uv == 0 && u[2].normal == -1));
 }
 
-TEST_CASE("negative numbers count back from the last one so far") {
+TEST_CASE("negative indices count back from the latest element") {
     const ObjModel file = read(four + "vt 0 0\nvt 1 0\nf -4/-1 -3/-2 -1/-1\nv 9 9 9\nf -5 -4 -2\n");
     REQUIRE(file.triangles.size() == 2);
     for (const auto& t : file.triangles)
@@ -146,13 +144,13 @@ TEST_CASE("negative numbers count back from the last one so far") {
     CHECK(file.triangles[0][1].uv == 0);
 }
 
-TEST_CASE("a face may come before its vertices, in polygons too") {
+TEST_CASE("a face may precede its vertices even if it is a polygon") {
     const ObjModel file = read("f 1 2 3\nf 1 2 3 4\n" + four);
     CHECK(file.triangles.size() == 3);
     CHECK(area(file) == approx(1.5f));
 }
 
-TEST_CASE("comments, groups, objects, smoothing, lines, points and unknown words change nothing") {
+TEST_CASE("comments, groups, objects, smoothing, lines, points and unknown keywords change nothing") {
     const ObjModel file =
         read("# v 9 9 9 \\\n\no thing\ng a b\ns 1\ns off\n" + four +
              "l 1 2 0 99\np 77\nvp 1\nvw x\nt 9/9/9\ncstype bezier\n\tf 1 2\t3 # 4\ng\n  f 1 3 4\n");
@@ -161,7 +159,7 @@ TEST_CASE("comments, groups, objects, smoothing, lines, points and unknown words
     CHECK(area(file) == approx(1));
 }
 
-TEST_CASE("weights, colours and third texture coordinates are ignored, whatever they say") {
+TEST_CASE("weights, colours and third texture coordinates are ignored whatever their values") {
     const ObjModel file = read(
         "v 0 0 0 1\nv 1 0 0 .5 .5 nan\nv 0 1 0 1e999 # c\nvt 1\nvt 1 2 x\nvn 0 0 1 7\nf 1/1/1 2/2/1 3/2/1\n");
     CHECK(file.positions.size() == 3);
@@ -169,7 +167,7 @@ TEST_CASE("weights, colours and third texture coordinates are ignored, whatever 
     CHECK(file.uvs[1] == vec2(1, 2));
 }
 
-TEST_CASE("numbers in every spelling of the format") {
+TEST_CASE("numbers are read in every notation of the format") {
     const ObjModel file = read("v +1 -.5 5.\nv 1e2 1.5E-3 -2e+1\nv 0007 1e-60 "
                                ".0000000000000000000000000000000000000000000000000001\nf 1 2 3\n");
     CHECK(file.positions[0] == vec3(1, -0.5f, 5));
@@ -177,7 +175,7 @@ TEST_CASE("numbers in every spelling of the format") {
     CHECK(file.positions[2] == vec3(7, 0, 0));
 }
 
-TEST_CASE("line ends of any system, a byte order mark, a missing last line end") {
+TEST_CASE("line ends of any system, a byte order mark and a missing last line end are accepted") {
     const std::string expected = four + "f 1 2 3 4\nusemtl x\nf 1 2 3";
     std::string windows, old_mac;
     for (const char c : expected) {
@@ -193,30 +191,30 @@ TEST_CASE("line ends of any system, a byte order mark, a missing last line end")
     }
 }
 
-TEST_CASE("a backslash joins lines, and the lines behind it keep their numbers") {
+TEST_CASE("a backslash joins lines and later lines keep their numbers") {
     const ObjModel file = read("v 0 \\\n0 0\nv 1 0 \\ \n 0\r\nv 0 1 0\nf 1 \\\r\n 2 \\\n 3\n");
     CHECK(file.triangles.size() == 1);
     CHECK_ERROR(error_of_text(four + "f 1 \\\n 2 \\\n 3\nf 1 2 x\n"), "a.obj:8:");
-    CHECK_ERROR(error_of_text(four + "f 1 \\\n 2 \\\n x\n"), "a.obj:5:");   // where it begins
+    CHECK_ERROR(error_of_text(four + "f 1 \\\n 2 \\\n x\n"), "a.obj:5:");   // the line where the face begins
     CHECK(read(four + "# a drawing /\\\nf 1 2 3\n").triangles.size() == 1); // a comment joins nothing
     CHECK_ERROR(error_of_text(four + "f 1 2 \\"), "a.obj:5:");
 }
 
 // ---- polygons
 
-TEST_CASE("polygons are cut without losing or gaining area, wherever they stand") {
+TEST_CASE("polygons are triangulated without losing or gaining area wherever they are") {
     check_area_is_kept({{0, 0}, {2, 0}, {2, 1}, {0, 1}});
-    check_area_is_kept({{0, 10}, {-1, 0}, {0, 1}, {1, 0}}); // an arrow: concave at its third
+    check_area_is_kept({{0, 10}, {-1, 0}, {0, 1}, {1, 0}}); // an arrow: concave at its third corner
     check_area_is_kept({{2, 0}, {1, 1.7f}, {-1, 1.7f}, {-2, 0}, {-1, -1.7f}, {1, -1.7f}}); // a hexagon
     check_area_is_kept({{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}});                  // an L
     check_area_is_kept({{0, 0}, {1, 0}, {2, 0}, {2, 2}, {1, 2}, {0, 2}, {0, 1}}); // corners on straight edges
     check_area_is_kept({{0, 0}, {4, 0}, {4, 3}, {3, 1}, {2, 3}, {1, 1}, {0, 3}}); // a crown
     check_area_is_kept(
         {{0, 0}, {6, 0}, {6, 6}, {0, 6}, {0, 0}, {2, 2}, {2, 4}, {4, 4}, {4, 2}, {2, 2}}); // a hole
-    check_area_is_kept({{0, 0}, {0, 3}, {1, 3}, {1, 1}, {3, 1}, {3, 0}}); // turned the other way
+    check_area_is_kept({{0, 0}, {0, 3}, {1, 3}, {1, 1}, {3, 1}, {3, 0}});                  // clockwise
 }
 
-TEST_CASE("a quad is cut along its shorter diagonal") {
+TEST_CASE("a quad is split along its shorter diagonal") {
     const ObjModel file = read("v 0 0 0\nv 3 0 0\nv 4 1 0\nv 1 1 0\nf 1 2 3 4\n");
     REQUIRE(file.triangles.size() == 2);
     CHECK(file.triangles[0][0].position == 0);
@@ -224,7 +222,7 @@ TEST_CASE("a quad is cut along its shorter diagonal") {
     CHECK(file.triangles[0][2].position == 3);
 }
 
-TEST_CASE("texture coordinates and materials follow a polygon's corners into its triangles") {
+TEST_CASE("the triangles of a polygon keep its texture coordinates and materials") {
     const Folder folder;
     folder.write("m.mtl", "newmtl red\nKd 1 0 0\nnewmtl green\nKd 0 1 0\n");
     const ObjModel file = read(folder, "mtllib m.mtl\n" + four +
@@ -236,7 +234,7 @@ TEST_CASE("texture coordinates and materials follow a polygon's corners into its
     }
 }
 
-TEST_CASE("triangles without area are left out, with a warning that counts them") {
+TEST_CASE("triangles without area are omitted with a warning that counts them") {
     const Folder folder;
     const std::string said =
         warnings_of(folder, four + "v 2 0 0\nv 0 0 1e-30\nf 1 2 3\nf 1 2 5\nf 1 1 2\nf 1 2 6\nf 1 2 3 3\n");
@@ -252,9 +250,9 @@ TEST_CASE("a normal without direction counts as missing") {
     for (const vec3& normal : file.normals) CHECK(length(normal) > 0.5f);
 }
 
-// ---- what is wrong
+// ---- errors
 
-TEST_CASE("a position out of range is an error with file, line and what is there") {
+TEST_CASE("a position out of range is an error with file, line and valid range") {
     CHECK_ERROR(error_of_text(four + "f 1 2 3\nf 1 2 5\nf 1 2 4\n"), "a.obj:6:", "position 5", "has 4");
     CHECK_ERROR(error_of_text(four + "f 1 2 -5\nv 0 0 0\n"), "a.obj:5:", "position -5", "4 precede it");
     CHECK_ERROR(error_of_text(four + "f 0 1 2\n"), "a.obj:5:", "position 0", "starts at 1");
@@ -265,7 +263,7 @@ TEST_CASE("a position out of range is an error with file, line and what is there
     CHECK_ERROR(error_of_text(four + "f 1 2 2147483647\n"), "a.obj:5:", "position 2147483647");
 }
 
-TEST_CASE("a corner that is no index is an error with file and line") {
+TEST_CASE("a corner that is not an index is an error with file and line") {
     for (const char* corner :
          {"x", "1.5", "1e2", "2/", "/2", "1/x", "1//x", "1/2/3/4", "1///2", "+", "-", "1-2", "--1"})
         CHECK_ERROR(error_of_text(four + "f 1 " + corner + "\n"), "a.obj:5:");
@@ -279,7 +277,7 @@ TEST_CASE("a face of fewer than three corners is an error with file and line") {
     CHECK_ERROR(error_of_text(four + "f 1 2 # 3\n"), "a.obj:5:", "has 2");
 }
 
-TEST_CASE("a number that is none, or too large for a double, is an error with file and line") {
+TEST_CASE("a number that is invalid or too large for a double is an error with file and line") {
     for (const char* word : {"nan", "inf", "-inf", "NaN", "1e999", "0e999", "-4e38999999999999", "abc", "1,5",
                              "1.0f", "0x10", "1e", "1e+", ".", "-", "--1", "1.2.3", "1e5.5", "\"1\""})
         CHECK_ERROR(error_of_text(four + "v 0 " + word + " 0\nf 1 2 3\n"), "a.obj:5:", word, "number");
@@ -292,7 +290,7 @@ TEST_CASE("a number that is none, or too large for a double, is an error with fi
     CHECK_ERROR(error_of_text("\xef\xbb\xbfv 0 x 0\r\n"), "a.obj:1:", "\"x\" is not a number");
 }
 
-TEST_CASE("a file that is missing, a folder, empty, or has no faces") {
+TEST_CASE("a file that is missing, a folder, empty or without faces is an error") {
     const Folder folder;
     CHECK_ERROR(error_of([&] { read_obj(folder / "none.obj"); }), "none.obj", "no such file");
     CHECK_ERROR(error_of([&] { read_obj(folder.path.string()); }), "is a folder");
@@ -306,7 +304,7 @@ TEST_CASE("a file that is missing, a folder, empty, or has no faces") {
                 "a.obj:1:", "is this an OBJ file?");
 }
 
-TEST_CASE("100 MB of noise are refused at once, in one short line") {
+TEST_CASE("100 MB of noise are rejected immediately with one short line") {
     const Folder folder;
     std::string noise(100 << 20, '\0');
     std::mt19937_64 random(1);
@@ -329,8 +327,8 @@ namespace {
 
 const ObjReadOptions readings[] = {{1, 1}, {1, 17}, {2, 40}, {5, 100}, {3, 1}, {2, 1 << 20}};
 
-/// Uses all that a chunk cannot know alone: numbers that reach back and ahead, joined lines, materials,
-/// libraries.
+/// Builds a text that uses everything a chunk cannot resolve alone: indices that refer back and ahead,
+/// joined lines, materials, libraries.
 std::string text_of_many_chunks() {
     std::string text = "\xef\xbb\xbfmtllib m.mtl\nf 1/1/1 2/2/1 \\\n\\\n 3/1/1\n";
     for (int i = 0; i < 50; ++i) {
@@ -359,7 +357,7 @@ bool same(const ObjModel& a, const ObjModel& b) {
            std::ranges::equal(a.materials, b.materials, same_material);
 }
 
-/// The error of a text must be the same however it is read; answers it.
+/// Checks that the error of a text is the same for all ways of reading it, and returns the error.
 std::string error_in_any_chunks(const std::string& text) {
     const Folder folder;
     const std::string path = folder.write("a.obj", text);
@@ -374,8 +372,7 @@ std::string error_in_any_chunks(const std::string& text) {
 
 } // namespace
 
-TEST_CASE(
-    "a file is the same, and so are its warnings, however it is cut into chunks and by how many threads") {
+TEST_CASE("a file and its warnings are the same for any chunk size and number of threads") {
     const Folder folder;
     folder.write("m.mtl", "newmtl a0\nKd 1 0 0\nnewmtl a1\nKd 0 1 0\n");
     folder.write("n.mtl", "newmtl a2\nKd 0 0 1\n");
@@ -384,8 +381,8 @@ TEST_CASE(
     const ObjModel whole = read_obj(path, {1, 1 << 20});
     CHECK(whole.triangles.size() == 125);
     CHECK(whole.positions.size() == 100);
-    CHECK(whole.triangles[1][0].position == 0); // -20 where 20 stand before it
-    CHECK(whole.materials.size() == 4);         // the default too: a2 is named before its library is
+    CHECK(whole.triangles[1][0].position == 0); // -20 with 20 positions before it
+    CHECK(whole.materials.size() == 4); // includes the default: a2 is used before its library is named
     CHECK_ERROR(said.text(), "1 of 43 faces wind against their normals");
     for (const ObjReadOptions& reading : readings) {
         CAPTURE(reading.threads);
@@ -396,7 +393,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("an error names its line, in whichever chunk that stands") {
+TEST_CASE("an error names its line in whichever chunk it is") {
     std::string before = four + "f 1 2 \\\n 3\r\n"; // six lines
     for (int line = 7; line < 60; line += 6) {
         CHECK_ERROR(error_in_any_chunks(before + "f 1 2 x\nf 1 2 3\nv y\n"), ":" + std::to_string(line) + ":",
@@ -409,7 +406,7 @@ TEST_CASE("an error names its line, in whichever chunk that stands") {
     }
 }
 
-TEST_CASE("the first of several errors is told, whichever thread finds one first") {
+TEST_CASE("the first of several errors is reported whichever thread finds one first") {
     std::string text = four;
     for (int i = 0; i < 20000; ++i) text += i % 4000 == 3999 ? "f 1 2 wrong\n" : "f 1 2 3\n";
     const Folder folder;
@@ -417,7 +414,7 @@ TEST_CASE("the first of several errors is told, whichever thread finds one first
     for (int i = 0; i < 20; ++i) CHECK_ERROR(error_of([&] { read_obj(path, {4, 5000}); }), "a.obj:4004:");
 }
 
-TEST_CASE("a library that is named twice is read once, blanks behind its name or not") {
+TEST_CASE("a library that is named twice is read once even with blanks after its name") {
     const Folder folder;
     const Stderr said;
     const std::string once = warnings_of(folder, "mtllib none.mtl\n" + four + "f 1 2 3\n");
@@ -426,7 +423,7 @@ TEST_CASE("a library that is named twice is read once, blanks behind its name or
 
 // ---- materials
 
-TEST_CASE("an .mtl file's colours, emission, reflectivity, index of refraction and transparency") {
+TEST_CASE("an .mtl file states colours, emission, reflectivity, index of refraction and transparency") {
     const Folder folder;
     folder.write("m.mtl", "# comment\nnewmtl a\nKd .1 .2 .3\nKe 5 6 7\nKs .3 .6 .9\nillum 3\nNi 1.33\nNs 20\n"
                           "newmtl b\nKd .5\nKs 1 1 1\nillum 2\nNi 1.5\nd .2\n"
@@ -450,7 +447,7 @@ TEST_CASE("an .mtl file's colours, emission, reflectivity, index of refraction a
     CHECK(list[0].ior == approx(1.33f));
     CHECK_FALSE(list[0].glass);
     CHECK(list[0].texture == -1);
-    CHECK(list[1].diffuse == vec3(0.5f)); // one number stands for three
+    CHECK(list[1].diffuse == vec3(0.5f)); // a single number applies to all three
     CHECK(list[1].reflectivity == 0);     // illum 2: a highlight, not a mirror
     CHECK(list[1].glass);                 // d < 1 and Ni > 1
     CHECK(list[2].reflectivity == approx(0.75f));
@@ -459,10 +456,10 @@ TEST_CASE("an .mtl file's colours, emission, reflectivity, index of refraction a
     CHECK(list[2].diffuse == vec3(0.6f)); // no Kd: grey
     CHECK_FALSE(list[3].glass);           // d < 1 alone is not glass
     CHECK(list[4].glass);
-    CHECK(list[5].diffuse == vec3(0.0f)); // a lamp reflects nothing unless it says so
+    CHECK(list[5].diffuse == vec3(0.0f)); // a lamp reflects nothing unless Kd is given
 }
 
-TEST_CASE("only the materials that are used are listed, each once") {
+TEST_CASE("only the materials that are used are listed and each of them once") {
     const Folder folder;
     folder.write("m.mtl", "newmtl unused\nmap_Kd none.png\nnewmtl used\nKd 0 0 1\n");
     const Stderr said;
@@ -474,7 +471,7 @@ TEST_CASE("only the materials that are used are listed, each once") {
     CHECK(said.text() == "");
 }
 
-TEST_CASE("numbers out of range are clamped, with a warning that names file, material and value") {
+TEST_CASE("numbers out of range are clamped with a warning that names file, material and value") {
     const Folder folder;
     folder.write("m.mtl", "newmtl a\nKd 1.5 -1 .5\nKe -2 0 0\nNi .5\nPm 3\n");
     const Stderr said;
@@ -487,7 +484,7 @@ TEST_CASE("numbers out of range are clamped, with a warning that names file, mat
                 "Pm is 3");
 }
 
-TEST_CASE("a wrong number in an .mtl file is an error with file and line") {
+TEST_CASE("an invalid number in an .mtl file is an error with file and line") {
     const auto error_of_mtl = [](const std::string& text) {
         const Folder folder;
         folder.write("m.mtl", text);
@@ -502,10 +499,10 @@ TEST_CASE("a wrong number in an .mtl file is an error with file and line") {
     CHECK_ERROR(error_of_mtl("newmtl a\nillum glass\n"), "m.mtl:2:", "\"glass\"");
     CHECK_ERROR(error_of_mtl("newmtl a\nd -halo\n"), "m.mtl:2:", "needs a number");
     CHECK_ERROR(error_of_mtl("newmtl\n"), "m.mtl:1:", "names no material");
-    CHECK(error_of_mtl("newmtl a\nmap_Bump nan\nNs nan\nKa x y z\n") == "no error"); // what we do not use
+    CHECK(error_of_mtl("newmtl a\nmap_Bump nan\nNs nan\nKa x y z\n") == "no error"); // unused keywords
 }
 
-TEST_CASE("a missing .mtl file: grey, and one warning with the paths tried") {
+TEST_CASE("a missing .mtl file gives grey and one warning with the paths that were tried") {
     const Folder folder;
     const Stderr said;
     const ObjModel file =
@@ -518,7 +515,7 @@ TEST_CASE("a missing .mtl file: grey, and one warning with the paths tried") {
     CHECK(std::count(text.begin(), text.end(), '\n') == 1);
 }
 
-TEST_CASE("materials that no file defines: grey, and a warning") {
+TEST_CASE("undefined materials are grey with a warning") {
     const Folder folder;
     folder.write("m.mtl", "newmtl a\nKd 1 0 0\n");
     CHECK_ERROR(warnings_of(folder, "mtllib m.mtl\n" + four + "usemtl b c\nf 1 2 3\nusemtl a\nf 1 2 3\n"),
@@ -528,10 +525,10 @@ TEST_CASE("materials that no file defines: grey, and a warning") {
     const Stderr said;
     const ObjModel file = read(folder, "mtllib m.mtl\n" + four + "f 1 2 3\nusemtl a\nf 1 3 4\n");
     CHECK(file.triangle_materials ==
-          std::vector<int>{1, 0}); // before the first usemtl: the default, which comes last
+          std::vector<int>{1, 0}); // faces before the first usemtl have the default material, which is last
 }
 
-TEST_CASE("several .mtl files, names with spaces, backslashes, folders below and above") {
+TEST_CASE("several .mtl files, names with spaces, backslashes and relative folders are supported") {
     const Folder folder;
     folder.write("one.mtl", "newmtl one\nKd 1 0 0\n");
     folder.write("sub/two.mtl", "newmtl two\nKd 0 1 0\n");
@@ -550,7 +547,7 @@ TEST_CASE("several .mtl files, names with spaces, backslashes, folders below and
 
 // ---- textures
 
-TEST_CASE("a texture is found beside the .mtl, beside the .obj, and by its bare name; each is loaded once") {
+TEST_CASE("a texture is found beside the .mtl, beside the .obj or by its bare name; each is loaded once") {
     const Folder folder;
     const auto grey = [](char value) { return png(1, 1, 8, 0, std::string(1, '\0') + value); };
     folder.write("lib/near mtl.png", grey(10));
@@ -571,13 +568,13 @@ TEST_CASE("a texture is found beside the .mtl, beside the .obj, and by its bare 
     CHECK(file.materials[1].texture == 1);
     CHECK(file.materials[2].texture == 0);
     CHECK(file.materials[3].texture == 0);
-    CHECK(file.materials[0].diffuse == vec3(1.0f)); // no Kd: the texture alone is the colour
+    CHECK(file.materials[0].diffuse == vec3(1.0f)); // no Kd: only the texture determines the colour
     CHECK(file.materials[1].diffuse == vec3(0.5f));
     CHECK_ERROR(said.text(), "m.mtl:5: the texture option -s is not supported", "m.mtl:7:");
 }
 
-TEST_CASE("a missing or undecodable texture: a magenta checker, and a warning with the paths tried and the "
-          "reason") {
+TEST_CASE("a missing or unreadable texture becomes a magenta checkerboard with a warning that lists paths "
+          "and reason") {
     const Folder folder;
     folder.write("lib/m.mtl",
                  "newmtl a\nmap_Kd art/none.png\nnewmtl b\nmap_Kd art/none.png\nnewmtl c\nmap_Kd bad.png\n"
@@ -602,9 +599,9 @@ TEST_CASE("a missing or undecodable texture: a magenta checker, and a warning wi
     CHECK(std::count(all.begin(), all.end(), '\n') == 3);
 }
 
-// ---- somebody else's model
+// ---- a third-party model
 
-TEST_CASE("the bunny of glmark2-data is read whole") {
+TEST_CASE("the bunny of glmark2-data is read completely") {
     const std::string path = "/usr/share/glmark2/models/bunny.obj";
     if (!fs::exists(path)) {
         SKIP_CHECK("no " + path + " (Debian's package glmark2-data)");

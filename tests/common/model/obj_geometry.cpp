@@ -1,5 +1,6 @@
-// Facts about the geometry of OBJ files: models far from the origin, very large and very small ones, winding
-// against normals, colours, smoothing groups, lines that are read only in part, and any cut into chunks.
+// Facts about the geometry of OBJ files.
+// Distant origins, extreme sizes, winding against normals, colours, smoothing groups, lines that are ignored
+// in part, and independence from chunk sizes.
 #include "common/util/error.h"
 #include "common/model/obj_file.h"
 #include "tests/check.h"
@@ -22,7 +23,7 @@ const std::string four = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
 struct Reading {
     ObjModel file;
-    std::string said; ///< on stderr, or the error, with "a.obj" for the path
+    std::string said; ///< on stderr, or the error, with "a.obj" as the path
 };
 
 Reading read(const std::string& text, const ObjReadOptions& how = {}) {
@@ -48,7 +49,8 @@ std::string line(const char* format, Numbers... numbers) {
     return std::string(text, std::size_t(length)) + "\n";
 }
 
-/// Blocks of houses, 450 m wide: each a box of four walls and a roof, with coordinates in millimetres.
+/// Builds city blocks, 450 m wide: each house is a box of four walls and a roof,
+/// with coordinates in millimetres.
 std::string city(const dvec3& corner) {
     std::string text, faces;
     for (int i = 0; i < 64; ++i) {
@@ -74,7 +76,7 @@ bool same_corners(const ObjModel& a, const ObjModel& b) {
     });
 }
 
-/// All but uvs and materials, bit by bit.
+/// Compares everything except materials, bit by bit.
 bool same_geometry(const ObjModel& a, const ObjModel& b) {
     return a.origin == b.origin && a.positions == b.positions && a.normals == b.normals && a.uvs == b.uvs &&
            a.colors == b.colors && a.smoothing_groups == b.smoothing_groups &&
@@ -88,7 +90,7 @@ vec3 area_vector(const ObjModel& file, std::size_t triangle) {
     return cross(at(1) - at(0), at(2) - at(0));
 }
 
-/// A ball of triangles, `size` across.
+/// Builds a ball of triangles with the diameter `size`.
 std::string ball(double size, const dvec3& center) {
     std::string text, faces;
     for (int i = 0; i <= 6; ++i)
@@ -109,28 +111,28 @@ std::string ball(double size, const dvec3& center) {
 
 // ---- far from the origin
 
-TEST_CASE("a model far from the origin is moved there before its coordinates become floats") {
+TEST_CASE("a model far from the origin gets a local origin before its coordinates become floats") {
     const dvec3 far(500000, 0, 5000000);
     const ObjModel here = read(city(dvec3(0))).file, there = read(city(far)).file;
     CHECK(here.origin == dvec3(0));
-    CHECK_MESSAGE(glm::distance(there.origin, far) < 1000, "the origin is in the middle of the model");
-    CHECK_MESSAGE(there.origin == round(there.origin), "a whole number");
+    CHECK_MESSAGE(glm::distance(there.origin, far) < 1000, "the origin must be near the middle of the model");
+    CHECK_MESSAGE(there.origin == round(there.origin), "the origin must be a whole number");
     REQUIRE(there.positions.size() == here.positions.size());
     double worst = 0;
     for (std::size_t i = 0; i < here.positions.size(); ++i)
         worst = std::max(
             worst, glm::distance(dvec3(there.positions[i]) + there.origin, dvec3(here.positions[i]) + far));
-    CHECK_MESSAGE(worst < 1e-4, "metres; as floats these coordinates are off by up to 0.25");
+    CHECK_MESSAGE(worst < 1e-4, "metres; as floats these coordinates would be off by up to 0.25");
     CHECK(same_corners(here, there));
 }
 
-TEST_CASE("a model near the origin stays where it is") {
+TEST_CASE("a model near the origin is not shifted") {
     for (const double away : {0.0, 1.0, 7.0}) CHECK(read(ball(1, dvec3(away, 0, 0))).file.origin == dvec3(0));
     CHECK(read(ball(1, dvec3(30, 0, 0))).file.origin.x == doctest::Approx(30));
     CHECK(read(ball(1e-3, dvec3(0.5, 2.25, 0))).file.origin.y == doctest::Approx(2.25));
 }
 
-TEST_CASE("only vertices that a face names count for where the model is") {
+TEST_CASE("only vertices that a face uses determine the origin") {
     const std::string far = "v 1e6 1e6 0\nv 1000001 1e6 0\nv 1e6 1000001 0\n";
     const ObjModel moved = read("v 0 0 0\n" + far + "v 0 0 0\nf 2 3 4\n").file;
     CHECK(moved.origin.x == doctest::Approx(1e6));
@@ -156,7 +158,8 @@ TEST_CASE("a model of any size from 1e-15 to 1e15 keeps all of its triangles") {
     }
 }
 
-TEST_CASE("a model that is too large or too small is refused by its size, not for want of an area") {
+TEST_CASE("a model that is too large or too small is rejected because of its size and not because of missing "
+          "area") {
     for (const char* size : {"1e-20", "1e-30", "1e18", "1e30", "1e38", "3e38", "1e300"}) {
         const std::string one(size);
         const std::string said = read("v 0 0 0\nv " + one + " 0 0\nv 0 " + one + " 0\nf 1 2 3\n").said;
@@ -165,7 +168,7 @@ TEST_CASE("a model that is too large or too small is refused by its size, not fo
     CHECK(read("v 2 2 2\nf 1 1 1\n").said == "error: a.obj: none of its faces has an area");
 }
 
-TEST_CASE("triangles without area are left out at any size") {
+TEST_CASE("triangles without area are omitted at any size") {
     for (const double s : {1e-12, 1.0, 1e12}) {
         const Reading flat = read(line("v 0 0 0\nv %g 0 0\nv %g %g 0\nv %g 0 0", s, s, s, 2 * s) +
                                   "f 1 2 3\nf 1 2 4\nf 1 1 2\n");
@@ -176,7 +179,7 @@ TEST_CASE("triangles without area are left out at any size") {
 
 // ---- winding against normals
 
-TEST_CASE("faces that wind against their normals are turned with their uvs and normals, and counted") {
+TEST_CASE("faces that wind against their normals are reversed with their uvs and normals, and counted") {
     const Reading reading =
         read(four + "v 2 0 0\nvn 0 0 -1\nvn 0 .1 -1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt 2 0\n"
                     "f 1/1/1 2/2/1 3/3/2 4/4/2\nf 5/5/1 2/2/1 3/3/1\nf 1 2 3\n");
@@ -188,10 +191,10 @@ TEST_CASE("faces that wind against their normals are turned with their uvs and n
     }
     for (const ObjIndex& corner : reading.file.triangles[0])
         CHECK(corner.normal == (corner.position < 2 ? 0 : 1));
-    CHECK_MESSAGE(area_vector(reading.file, 3).z > 0, "without normals a face stays as it is");
+    CHECK_MESSAGE(area_vector(reading.file, 3).z > 0, "a face without normals must stay unchanged");
 }
 
-TEST_CASE("a concave face is turned as a whole") {
+TEST_CASE("a concave face is reversed as a whole") {
     const Reading reading = read("v 0 10 0\nv -1 0 0\nv 0 1 0\nv 1 0 0\nv .5 6 0\nvn 0 0 -1\n"
                                  "f 1//1 2//1 3//1 4//1 5//1\n");
     CHECK_ERROR(reading.said, "1 of 1 faces wind against");
@@ -199,7 +202,7 @@ TEST_CASE("a concave face is turned as a whole") {
     for (std::size_t i = 0; i < 3; ++i) CHECK(area_vector(reading.file, i).z < 0);
 }
 
-TEST_CASE("normals that oppose each other, lie in the face or are missing at a corner turn nothing") {
+TEST_CASE("normals that contradict each other, lie in the face or are missing at a corner reverse nothing") {
     for (const char* face : {"f 1//1 2//2 3//3", "f 1//4 2//4 3//4", "f 1//2 2//2 3", "f 1//2 2//2 3//5"}) {
         const Reading reading = read(four + "vn 0 0 1\nvn 0 0 -1\nvn 1 0 0\nvn 0 1 -.01\nvn 0 0 0\n" + face);
         CHECK(reading.said == "");
@@ -207,22 +210,24 @@ TEST_CASE("normals that oppose each other, lie in the face or are missing at a c
     }
 }
 
-TEST_CASE("faces that are stated twice, once for each side, are no contradiction") {
+TEST_CASE("faces that are given twice and once for each side are not contradictory") {
     const std::string quad = four + "vn 0 0 1\nf 1//1 2//1 3//1 4//1\n";
     CHECK(read(quad + "f 4//1 3//1 2//1 1//1\n").said == "");
-    CHECK_MESSAGE(read(quad + "vn 0 0 -1\nf 4//2 3//2 2//2 1//2\n").said == "", "with normals of their own");
-    CHECK_MESSAGE(read(quad + "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 7//1 6//1 5//1\n").said == "",
+    CHECK_MESSAGE(read(quad + "vn 0 0 -1\nf 4//2 3//2 2//2 1//2\n").said == "with separate normals",
+                  "with normals of their own");
+    CHECK_MESSAGE(read(quad + "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 7//1 6//1 5//1\n").said ==
+                      "with separate vertices",
                   "with vertices of their own");
     CHECK_ERROR(read(quad + "v 0 0 3\nf 5//1 3//1 2//1\n").said, "1 of 2 faces wind against");
 }
 
 // ---- colours
 
-TEST_CASE("vertex colours are linear light of sRGB values, in [0, 1] or as bytes") {
+TEST_CASE("vertex colours are decoded from sRGB values in [0, 1] or from bytes") {
     const ObjModel unit = read("v 0 0 0 1 0 .5\nv 1 0 0\nv 0 1 0 0.03 0 1 # c\nv 0 0 1 .5\nf 1 2 3\n").file;
     REQUIRE(unit.colors.size() == 4);
     CHECK(unit.colors[0] == approx(vec3(1, 0, 0.2140411f), 1e-5f));
-    CHECK_MESSAGE(unit.colors[1] == vec3(1), "a vertex without a colour is white");
+    CHECK_MESSAGE(unit.colors[1] == vec3(1), "a vertex without a colour must be white");
     CHECK(unit.colors[2] == approx(vec3(0.03f / 12.92f, 0, 1), 1e-5f));
     CHECK_MESSAGE(unit.colors[3] == vec3(1), "a fourth number alone is a weight");
     const ObjModel bytes = read("v 0 0 0 255 0 127.5\nv 1 0 0 0 1 255\nv 0 1 0\nf 1 2 3\n").file;
@@ -242,7 +247,7 @@ TEST_CASE("comments of #MRGB colour the vertices in their order") {
 
 // ---- smoothing groups
 
-TEST_CASE("s lines give each triangle its smoothing group, 0 for off and -1 before the first") {
+TEST_CASE("s lines give each triangle its smoothing group with 0 for off and -1 before the first") {
     const ObjModel file = read(four + "f 1 2 3\ns 2\nf 1 2 3 4\ns off\nf 1 2 3\ns 1\ns 0\nf 1 2 3\ns x\ns\n"
                                       "f 1 2 3\ns on\nf 1 2 3\n")
                               .file;
@@ -250,10 +255,9 @@ TEST_CASE("s lines give each triangle its smoothing group, 0 for off and -1 befo
     CHECK(read(four + "f 1 2 3\n").file.smoothing_groups.empty());
 }
 
-// ---- what is read only in part
+// ---- partly ignored input
 
-TEST_CASE(
-    "normals and texture coordinates that are not finite are left out, with a warning that counts them") {
+TEST_CASE("normals and texture coordinates that are not finite are omitted with a warning that counts them") {
     for (const char* word :
          {"nan", "-nan", "-nan(ind)", "NaN", "inf", "-Infinity", "1.#QNAN", "-1.#IND00", "1e39", "1e999"}) {
         CAPTURE(word);
@@ -271,7 +275,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("usemtl and mtllib without a name are skipped, with a warning") {
+TEST_CASE("usemtl and mtllib without a name are skipped with a warning") {
     const Reading reading = read(four + "mtllib\nusemtl \nf 1 2 3\nmtllib  \nusemtl\nf 1 3 4\n");
     CHECK(reading.said == "warning: a.obj:6: usemtl names no material; the faces that follow get the default "
                           "one (the first of 2)\n"
@@ -279,7 +283,7 @@ TEST_CASE("usemtl and mtllib without a name are skipped, with a warning") {
     CHECK(reading.file.triangle_materials == std::vector<int>{0, 0});
 }
 
-TEST_CASE("corners that name normals or texture coordinates that do not exist get none, with a warning") {
+TEST_CASE("corners whose normals or texture coordinates do not exist get none and cause a warning") {
     const auto check = [](const std::string& text, const std::string& said, std::size_t kept) {
         const Reading reading = read(four + text);
         CHECK(reading.said == said);
@@ -298,14 +302,14 @@ TEST_CASE("corners that name normals or texture coordinates that do not exist ge
     check("f 1//1 2//1 3//-1\nvn 0 0 1\n", "warning: a.obj:5: " + normal + "\n", 2);
 }
 
-// ---- any cut into chunks
+// ---- independence from chunk sizes
 
-TEST_CASE("a line that ends in two backslashes joins the next one, and no more") {
+TEST_CASE("a line that ends in two backslashes joins only the next line") {
     CHECK(read("v 0 0 0\nv 1 0 0\nv 0 1 0\ng a\\\\\n\nf 1 2 3\n").file.triangles.size() == 1);
     CHECK(read("v 0 0 0\nv 1 0 0\nv 0 1 0\ng a\\\\\nf 1 2 3\nf 1 2 3\n").file.triangles.size() == 1);
 }
 
-TEST_CASE("a file is the same however it is cut into chunks, whatever it is made of") {
+TEST_CASE("a file gives the same model for any chunk size whatever its content") {
     const std::string pieces[] = {"v 1 0 0\n",
                                   "v 0 1 0 .5 .5 1\r\n",
                                   "v 0 0 1\r",
@@ -353,7 +357,7 @@ TEST_CASE("a file is the same however it is cut into chunks, whatever it is made
     }
 }
 
-TEST_CASE("a moved model is the same however it is cut into chunks") {
+TEST_CASE("a shifted model is the same for any chunk size") {
     const std::string text = city(dvec3(4e5, 20, 5e6)) + "v 0 0 0\n";
     const ObjModel whole = read(text, {1, 1 << 20}).file;
     CHECK(whole.origin != dvec3(0));
@@ -363,7 +367,7 @@ TEST_CASE("a moved model is the same however it is cut into chunks") {
 
 // ---- long lines
 
-TEST_CASE("megabytes of one line are read in linear time, and zeros refused at once") {
+TEST_CASE("megabytes of one line are read in linear time and zeros are rejected immediately") {
     const Folder folder;
     const auto seconds = [&](const std::string& path, const char* expected) {
         const std::clock_t start = std::clock();
@@ -373,11 +377,11 @@ TEST_CASE("megabytes of one line are read in linear time, and zeros refused at o
     const auto blanks = [&](int megabytes) {
         return folder.write("blank.obj", std::string(std::size_t(megabytes) << 20, ' ') + "\n");
     };
-    // The lookup of a line end in all that was read would look at 0.5 and 2 GB.
+    // Searching for the line end from the start of each chunk would scan 0.5 and 2 GB.
     const double once = seconds(blanks(8), "has no faces"), twice = seconds(blanks(16), "has no faces");
     CHECK(twice < 3 * once + 0.03);
     const std::string zeros = folder.write("zero.obj", std::string(64 << 20, '\0'));
-    CHECK_MESSAGE(seconds(zeros, "zero.obj:1: not text") < 0.05, "a megabyte is looked at");
+    CHECK_MESSAGE(seconds(zeros, "zero.obj:1: not text") < 0.05, "only the first megabyte may be examined");
     CHECK_ERROR(read("\xff\xfev").said, "a.obj:1: UTF-16");
 }
 

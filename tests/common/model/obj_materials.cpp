@@ -1,5 +1,4 @@
-// Facts about the materials of OBJ files: cut-outs, names of files as people write them, what is not
-// followed.
+// Facts about the materials of OBJ files: cut-outs, spellings of file names, and unsupported features.
 #include "common/model/obj/mask.h"
 #include "common/model/obj_file.h"
 #include "tests/check.h"
@@ -17,7 +16,7 @@ using namespace rt::malformed;
 
 namespace {
 
-/// A model of one face for each material, and its .mtl file.
+/// Builds a model with one face per material, and the line of its .mtl file.
 std::string model(const std::string& library_line, const std::string& materials) {
     std::string text = library_line + "\nv 0 0 0\nv 1 0 0\nv 0 1 0\n";
     for (const char name : materials) text.append("usemtl ").append(1, name).append("\nf 1 2 3\n");
@@ -35,7 +34,7 @@ Reading read(const Folder& folder, const std::string& text) {
     return {std::move(file), said.text()};
 }
 
-/// What is read of these materials, called a, b, c.
+/// Reads a model with these materials, which are named a, b, c.
 Reading read_mtl(const Folder& folder, const std::string& mtl, const std::string& materials = "a") {
     folder.write("m.mtl", mtl);
     return read(folder, model("mtllib m.mtl", materials));
@@ -51,7 +50,7 @@ std::string grey(std::initializer_list<int> values) {
     return png(std::uint32_t(values.size()), 1, 8, 0, row);
 }
 
-/// Grey and alpha, value by value.
+/// Builds an image of grey and alpha values.
 std::string grey_alpha(std::initializer_list<int> values) {
     std::string row(1, '\0');
     for (const int value : values) row += char(value);
@@ -64,8 +63,7 @@ using Values = std::vector<std::uint16_t>;
 
 // ---- cut-outs
 
-TEST_CASE(
-    "map_d cuts holes: by its alpha channel if that says something, else by its grey value as it stands") {
+TEST_CASE("map_d cuts holes by its alpha channel if it has one and otherwise by its raw grey value") {
     const Folder folder;
     folder.write("grey.png", grey({0, 127, 128, 255}));
     folder.write("alpha.png", grey_alpha({200, 0, 0, 255}));
@@ -87,7 +85,7 @@ TEST_CASE(
     CHECK(file.textures.empty());
 }
 
-TEST_CASE("the alpha of map_Kd cuts holes where there is no map_d") {
+TEST_CASE("the alpha of map_Kd cuts holes if there is no map_d") {
     const Folder folder;
     folder.write("leaf.png", grey_alpha({200, 255, 50, 0}));
     folder.write("white.png", grey({255}));
@@ -99,12 +97,12 @@ TEST_CASE("the alpha of map_Kd cuts holes where there is no map_d") {
     REQUIRE(file.masks.size() == 1);
     CHECK(file.masks[0].opacity == Values{65535, 0});
     CHECK(file.materials[0].mask == 0);
-    CHECK_MESSAGE(file.materials[1].mask == -1, "map_d says that it has no holes");
+    CHECK_MESSAGE(file.materials[1].mask == -1, "map_d states that there are no holes");
     CHECK(file.materials[2].mask == 0);
     CHECK(file.textures.size() == 1);
 }
 
-TEST_CASE("a mask without a hole, and the mask of glass, are left out") {
+TEST_CASE("a mask without a hole and the mask of glass are omitted") {
     const Folder folder;
     folder.write("thin.png", grey({128, 255}));
     folder.write("grid.png", grey({0, 255}));
@@ -127,17 +125,17 @@ TEST_CASE("the colour hidden in a hole does not bleed into its edge") {
     CHECK(value(0) == 1000);
     CHECK(value(1) == 3000);
     CHECK(value(2) == 3000);
-    CHECK_MESSAGE(value(4) == 1000, "the picture repeats: its last column lies beside its first");
-    CHECK(value(3) == 2000); // of the second pass
+    CHECK_MESSAGE(value(4) == 1000, "the texture repeats: its last column is next to its first");
+    CHECK(value(3) == 2000); // from the second pass
     CHECK(bitmap.opacity == Values{65535, 65535, 0, 0, 0});
     Bitmap gone{1, 1, {5, 6, 7}, {0}, ""};
     fill_hidden_colours(gone);
-    CHECK(gone.values == Values{5, 6, 7}); // nothing is known
+    CHECK(gone.values == Values{5, 6, 7}); // no known colour
 }
 
-// ---- names of files
+// ---- file names
 
-TEST_CASE("names in quotes, as Metashape writes them") {
+TEST_CASE("names in quotes are read as Metashape writes them") {
     const Folder folder;
     folder.write("my scan.mtl",
                  "newmtl \"a b\"\nmap_Kd \"my wall.png\"\nnewmtl c\nmap_Kd -s 1 1 \"my wall.png\"\n");
@@ -151,10 +149,10 @@ TEST_CASE("names in quotes, as Metashape writes them") {
     CHECK(reading.file.triangle_materials == std::vector<int>{0, 0, 1, 2});
     REQUIRE(reading.file.textures.size() == 1);
     CHECK(reading.file.textures[0].values[0] == 7 * 257);
-    CHECK(lines_of(reading.warnings) == 1); // of -s
+    CHECK(lines_of(reading.warnings) == 1); // for -s
 }
 
-TEST_CASE("a backslash before a space escapes it, before a letter it ends a folder's name") {
+TEST_CASE("a backslash before a space escapes it and before a letter it is a path separator") {
     const Folder folder;
     folder.write("my own.mtl", "newmtl a\nmap_Kd my\\ wall.png\nnewmtl b\nmap_Kd art\\wood.png\n");
     folder.write("my wall.png", grey({7}));
@@ -166,12 +164,12 @@ TEST_CASE("a backslash before a space escapes it, before a letter it ends a fold
     CHECK(reading.file.textures[1].values[0] == 9 * 257);
 }
 
-TEST_CASE("a name that differs in capitals alone is found, with a warning that says what was taken") {
+TEST_CASE("a file whose name differs only in capitals is found with a warning that names it") {
     const Folder folder;
     folder.write("Case.MTL", "newmtl a\nmap_Kd tex/WALL.png\nnewmtl b\nmap_Kd tex/wall.png\n");
     folder.write("Tex/Wall.PNG", grey({7}));
     if (fs::exists(folder / "tex")) {
-        SKIP_CHECK("this file system does not tell capitals");
+        SKIP_CHECK("this file system ignores the case of names");
         return;
     }
     const Reading reading = read(folder, model("mtllib case.mtl", "ab"));
@@ -181,12 +179,12 @@ TEST_CASE("a name that differs in capitals alone is found, with a warning that s
                 "\"tex/WALL.png\" does not exist, using " + folder / "Tex/Wall.PNG instead");
     CHECK(lines_of(reading.warnings) == 2);
     folder.write("case.mtl", "newmtl a\nnewmtl b\n");
-    CHECK(read(folder, model("mtllib case.mtl", "ab")).warnings == ""); // the exact name comes first
+    CHECK(read(folder, model("mtllib case.mtl", "ab")).warnings == ""); // the exact name takes precedence
 }
 
-// ---- what is not followed
+// ---- unsupported features
 
-TEST_CASE("what a material asks for and does not get is told once per kind, with names") {
+TEST_CASE("unsupported material properties are reported once per type with names") {
     const Folder folder;
     std::string mtl;
     for (const char* name : {"a", "b", "c", "d"})
@@ -203,14 +201,14 @@ TEST_CASE("what a material asks for and does not get is told once per kind, with
           "");
 }
 
-TEST_CASE("d below 1 without refraction is drawn opaque, and that is said of the materials that are used") {
+TEST_CASE("d below 1 without refraction is drawn opaque with a warning for the materials that are used") {
     const Folder folder;
     const Reading reading = read_mtl(folder, "newmtl a\nd .5\nnewmtl b\nTr .1\nnewmtl c\nd 0\n", "ab");
     CHECK_ERROR(reading.warnings, "drawn opaque (2 materials: \"a\", \"b\")");
     CHECK(lines_of(reading.warnings) == 1);
 }
 
-TEST_CASE("lines that can be skipped are skipped, with one warning that counts them") {
+TEST_CASE("lines that can be skipped are skipped with one warning that counts them") {
     const Folder folder;
     const auto warnings = [&](const std::string& mtl) {
         const Reading reading = read_mtl(folder, mtl);
@@ -235,15 +233,15 @@ TEST_CASE("a colour in CIE XYZ becomes linear RGB") {
         folder, "newmtl a\nKd xyz .4124 .2126 .0193\nnewmtl b\nKd xyz .47525 .5 .5445\nnewmtl c\nKd xyz .3\n",
         "abc");
     CHECK(reading.warnings == "");
-    CHECK(reading.file.materials[0].diffuse == approx(vec3(1, 0, 0), 1e-3f)); // the red of sRGB
+    CHECK(reading.file.materials[0].diffuse == approx(vec3(1, 0, 0), 1e-3f)); // the red primary of sRGB
     CHECK(reading.file.materials[2].diffuse == approx(vec3(0.3614f, 0.2845f, 0.2729f), 1e-3f));
-    CHECK(reading.file.materials[1].diffuse == approx(vec3(0.5f), 1e-3f)); // its white, halved
+    CHECK(reading.file.materials[1].diffuse == approx(vec3(0.5f), 1e-3f)); // its white point, halved
     CHECK_ERROR(error_of([&] { read_mtl(folder, "newmtl a\nKd xyz .3 .3\n"); }), "m.mtl:2:", "three numbers");
 }
 
 // ---- memory and time
 
-TEST_CASE("a texture that is too large for its model is a checker, and its file is not decoded") {
+TEST_CASE("a texture that is too large for its model becomes a checkerboard and its file is not decoded") {
     const Folder folder;
     folder.write("vast.png", packed_png(11'585, 11'585, 1, 0, zeros(70'000)));
     const Reading reading = read_mtl(folder, "newmtl a\nmap_Kd vast.png\n");
@@ -251,7 +249,8 @@ TEST_CASE("a texture that is too large for its model is a checker, and its file 
     CHECK(reading.file.textures[0].width == 8);
 }
 
-TEST_CASE("thousands of materials, and of lines that call their file by ever new names, take no time") {
+TEST_CASE(
+    "thousands of materials and of library lines with different spellings of one file take little time") {
     const Folder folder;
     std::string mtl, obj, name = "big.mtl";
     for (int i = 0; i < 20'000; ++i) mtl += "newmtl m" + std::to_string(i) + "\n";
@@ -262,6 +261,7 @@ TEST_CASE("thousands of materials, and of lines that call their file by ever new
     const std::clock_t begin = std::clock();
     CHECK(read(folder, obj).file.materials.size() == 20'000);
     const double seconds = double(std::clock() - begin) / CLOCKS_PER_SEC;
-    CHECK_MESSAGE(seconds < 5,
-                  ("it took " + to_text(seconds) + " s of all cores")); // .2 s; minutes when square
+    CHECK_MESSAGE(
+        seconds < 5,
+        ("it took " + to_text(seconds) + " s of processor time")); // usually .2 s; minutes if quadratic
 }

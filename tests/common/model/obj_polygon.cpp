@@ -1,4 +1,4 @@
-// Faces of many corners: cut without loss, and in about the time that it takes to read them.
+// Facts about faces of many corners: triangulation is exact and takes about as long as reading the file.
 #include "common/model/obj/polygon.h"
 #include "common/math/random.h"
 #include "tests/check.h"
@@ -22,7 +22,7 @@ double shoelace(const std::vector<vec3>& corners) {
     return sum;
 }
 
-/// A band of constant width that is rolled up.
+/// Builds a spiral band of constant width.
 std::vector<vec3> spiral(int count) {
     std::vector<vec3> corners, inside;
     for (int i = 0; i < count / 2; ++i) {
@@ -53,7 +53,7 @@ std::vector<vec3> star(int count, Random& random) {
     return corners;
 }
 
-/// Not one triangle turns the other way, so that the sum of their areas tells of gaps and overlaps.
+/// Checks that no triangle is reversed, so that the sum of the areas detects gaps and overlaps.
 void check_cut(const std::vector<vec3>& corners) {
     double sum = 0;
     bool all_left = true;
@@ -81,7 +81,7 @@ double cpu_seconds_to_cut(const std::vector<vec3>& corners) {
 
 } // namespace
 
-TEST_CASE("spirals, combs and stars of thousands of corners are cut without gap or overlap") {
+TEST_CASE("spirals, combs and stars of thousands of corners are triangulated without gap or overlap") {
     Random random(41);
     check_cut(spiral(1000));
     check_cut(spiral(20000));
@@ -89,19 +89,19 @@ TEST_CASE("spirals, combs and stars of thousands of corners are cut without gap 
     for (const int count : {5, 6, 7, 8, 12, 40, 1000, 10001}) check_cut(star(count, random));
 }
 
-TEST_CASE(
-    "a polygon of 1,000 corners costs less than 50 triangles a corner would, and eight times as many corners "
-    "far less than 64 times the time") {
-    // 0.4 ms on a quiet machine; 120 ms with the cube of the corners.
+TEST_CASE("a polygon of 1000 corners costs less than 50 triangles per corner and eight times the corners far "
+          "less than 64 times the time") {
+    // 0.4 ms on a quiet machine; 120 ms with a cubic algorithm.
     CHECK(cpu_seconds_to_cut(spiral(1000)) < 0.02);
-    // n log n is about 9 times, the square 64 times. Caches that a busy machine shares may triple the larger one.
+    // n log n is about 9 times, a quadratic algorithm 64 times. On a busy machine, shared caches
+    // may triple the larger time.
     Random random(42);
     CHECK(cpu_seconds_to_cut(spiral(80000)) < 30 * cpu_seconds_to_cut(spiral(10000)) + 0.01);
     CHECK(cpu_seconds_to_cut(comb(40000)) < 30 * cpu_seconds_to_cut(comb(5000)) + 0.01);
     CHECK(cpu_seconds_to_cut(star(80000, random)) < 30 * cpu_seconds_to_cut(star(10000, random)) + 0.01);
 }
 
-TEST_CASE("a polygon that crosses itself all over is still cut into n - 2 triangles, in bearable time") {
+TEST_CASE("a polygon that crosses itself many times is split into n - 2 triangles in acceptable time") {
     Random random(43);
     std::vector<vec3> corners;
     for (int i = 0; i < 2000; ++i) corners.emplace_back(random.uniform(), random.uniform(), 0.0f);

@@ -1,4 +1,4 @@
-// Facts about lists of balls: what the columns mean, and that a line which is wrong is named with its number.
+// Facts about sphere lists: the meaning of the columns, and errors that name the line.
 #include "common/model/sphere_list.h"
 
 #include "tests/check.h"
@@ -18,7 +18,7 @@ std::vector<SphereRecord> read(const std::string& text) {
     return read_sphere_list(folder.write("balls.csv", text));
 }
 
-/// The error of reading this text, with the folder's name left out.
+/// Returns the error of reading this text, without the folder's name.
 std::string error_of_text(const std::string& text) {
     const Folder folder;
     const std::string path = folder.write("balls.csv", text);
@@ -28,7 +28,7 @@ std::string error_of_text(const std::string& text) {
 
 } // namespace
 
-TEST_CASE("each line of a list is a ball, and the last column a metal's fuzz or the index of glass") {
+TEST_CASE("each line of a list is a ball whose last column is a metal's fuzz or the index of glass") {
     const auto balls = read(columns + "lambertian,0,-1000,.5,1000,0.5,.25,1,0\n"
                                       "metal,-1.5e1,2,3,0.2,0.1,0.2,0.3,0.45\n"
                                       "dielectric,1,2,3,1,1,1,1,1.5\n");
@@ -44,7 +44,7 @@ TEST_CASE("each line of a list is a ball, and the last column a metal's fuzz or 
     CHECK(balls[2].ior == 1.5f);
 }
 
-TEST_CASE("line ends of all systems, blanks, empty lines and a byte order mark are fine in a list") {
+TEST_CASE("line ends of all systems, blanks, empty lines and a byte order mark are accepted in a list") {
     const std::string row = "metal, 1 ,2,\t3,0.5,1,1,1,0.1";
     for (const std::string end : {"\n", "\r\n", "\r"}) {
         const std::string names = columns.substr(0, columns.size() - 1);
@@ -55,7 +55,7 @@ TEST_CASE("line ends of all systems, blanks, empty lines and a byte order mark a
     }
 }
 
-TEST_CASE("what is wrong in a list is said in one line with the file and the line") {
+TEST_CASE("an error in a list is one line with the file and the line number") {
     const std::string good = "metal,1,2,3,0.5,1,1,1,0.1\n";
     CHECK(error_of_text("") == "balls.csv: contains no spheres");
     CHECK(error_of_text(columns) == "balls.csv: contains no spheres");

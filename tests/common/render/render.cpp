@@ -1,4 +1,4 @@
-// Facts about render(): the same bits whoever computes them, honest averages, nothing hidden.
+// Facts about render(): results independent of the threads, correct averages, and reported errors.
 #include "common/render/render.h"
 
 #include <doctest/doctest.h>
@@ -28,7 +28,7 @@ rt::RenderSettings picture(int width, int height, int samples, int threads) {
     return wanted;
 }
 
-/// Noise that depends on all that a sample is, with sums that round.
+/// Noise that depends on all fields of a sample, with sums that round.
 rt::vec3 noise(rt::PixelSample& sample) {
     const float u = sample.random.uniform();
     const float v = sample.random.uniform();
@@ -51,7 +51,7 @@ rt::SampleFunction values_by_index(const std::vector<rt::vec3>& values) {
     return [values](rt::PixelSample& sample) { return values[std::size_t(sample.index)]; };
 }
 
-/// One pixel whose samples are `values`.
+/// Renders one pixel with these sample values.
 rt::Film film_of(const std::vector<rt::vec3>& values) {
     return rt::render(picture(1, 1, int(values.size()), 1), values_by_index(values));
 }
@@ -81,7 +81,7 @@ TEST_CASE("a crop has the same bits as that part of the whole, for any threads")
     }
 }
 
-TEST_CASE("another seed makes another picture, the same seed the same one") {
+TEST_CASE("another seed gives another picture and the same seed the same picture") {
     rt::RenderSettings wanted = picture(20, 10, 2, 2);
     const rt::Film first = rt::render(wanted, noise);
     CHECK(same_bits(first.mean, rt::render(wanted, noise).mean));
@@ -89,7 +89,7 @@ TEST_CASE("another seed makes another picture, the same seed the same one") {
     CHECK_FALSE(same_bits(first.mean, rt::render(wanted, noise).mean));
 }
 
-TEST_CASE("every pixel is asked once a sample, by its place in the whole picture") {
+TEST_CASE("every pixel is evaluated once per sample with its coordinates in the whole picture") {
     rt::RenderSettings wanted = picture(40, 30, 3, 2);
     wanted.crop = {17, 11, 38, 29};
     const rt::Film film = rt::render(wanted, [](rt::PixelSample& sample) {
@@ -105,7 +105,7 @@ TEST_CASE("every pixel is asked once a sample, by its place in the whole picture
             CHECK(film.mean(x, y) == rt::vec3(float(x + 17), float(y + 11), (1 + 16 + 256) / 3.0f));
 }
 
-TEST_CASE("a picture without a crop is rendered whole") {
+TEST_CASE("a picture without a crop is rendered completely") {
     rt::RenderSettings wanted = picture(6, 4, 1, 1);
     wanted.crop = {};
     const rt::Film film = rt::render(wanted, noise);
@@ -118,7 +118,7 @@ TEST_CASE("the mean of known samples is their mean") {
     CHECK(film.mean(0, 0) == rt::vec3(3, 1, 0.25f));
 }
 
-TEST_CASE("a constant stays itself to the last bit, without variance, however many samples") {
+TEST_CASE("a constant is unchanged to the last bit without variance for any number of samples") {
     const rt::vec3 constant(0.1f, 1 / 3.0f, 12345.678f);
     for (const int samples : {1, 2, 3, 7, 100000}) {
         CAPTURE(samples);
@@ -129,28 +129,30 @@ TEST_CASE("a constant stays itself to the last bit, without variance, however ma
     }
 }
 
-TEST_CASE("the variance of known samples is the variance of their mean, by hand") {
+TEST_CASE("the variance of known samples is the variance of their mean computed by hand") {
     // 1, 2, 4, 9: mean 4, mean of squares 25.5; (25.5 - 16) / 3.
     const rt::Film grey = film_of({rt::vec3(1), rt::vec3(2), rt::vec3(4), rt::vec3(9)});
     CHECK(grey.variance(0, 0).x == doctest::Approx(9.5 / 3).epsilon(1e-6));
     CHECK(grey.variance(0, 0).y == grey.variance(0, 0).x);
     CHECK(grey.variance(0, 0).z == grey.variance(0, 0).x);
-    // Of luminance: 0.2126 and 0.7152 are 0.5026 apart; (0.5026 / 2)^2 / 1.
+    // For luminance: 0.2126 and 0.7152 differ by 0.5026; (0.5026 / 2)^2 / 1.
     const rt::Film colour = film_of({rt::vec3(1, 0, 0), rt::vec3(0, 1, 0)});
     CHECK(colour.variance(0, 0).x == doctest::Approx(0.2513 * 0.2513).epsilon(1e-6));
 }
 
-TEST_CASE("the variance survives a mean that is large beside it") {
-    // 10000 and 10001 in turn: (1/2)^2 / 999. The difference of squares in floats would be lost in rounding.
+TEST_CASE("the variance is accurate even if the mean is much larger") {
+    // Alternately 10000 and 10001: (1/2)^2 / 999. A difference of squares in floats
+    // would be lost in rounding.
     const rt::Film film = rt::render(picture(1, 1, 1000, 1), [](rt::PixelSample& sample) {
         return rt::vec3(float(10000 + sample.index % 2));
     });
     CHECK(film.variance(0, 0).x == doctest::Approx(0.25 / 999).epsilon(0.01));
 }
 
-TEST_CASE("the variance foretells how the mean of another seed differs") {
-    // Mean over 4096 pixels of (mean - 1/2)^2 / variance of the mean: for 16 samples its expectation is 15/13
-    // (Student's t of 15 degrees), its deviation about sqrt(2.7 + ...) / 64 < 0.04; 0.2 is 5 of them.
+TEST_CASE("the variance predicts how much the mean of another seed differs") {
+    // The mean of (mean - 1/2)^2 / (variance of the mean) over 4096 pixels: for 16 samples its expectation
+    // is 15/13 (Student's t with 15 degrees of freedom) and its deviation about sqrt(2.7 + ...) / 64 <
+    // 0.04; 0.2 is 5 deviations.
     const rt::Film film = rt::render(
         picture(64, 64, 16, 2), [](rt::PixelSample& sample) { return rt::vec3(sample.random.uniform()); });
     double sum = 0;
@@ -161,7 +163,7 @@ TEST_CASE("the variance foretells how the mean of another seed differs") {
     CHECK(std::abs(sum / 4096 - 15 / 13.0) < 0.2);
 }
 
-TEST_CASE("samples that are not finite are counted, and the first is the same for all threads") {
+TEST_CASE("samples that are not finite are counted and the first is the same for all threads") {
     const auto sick = [](rt::PixelSample& sample) {
         if (sample.x == 70 && sample.y == 5 && sample.index >= 2) return rt::vec3(0, not_a_number, 0);
         if (sample.x == 3 && sample.y == 30) return rt::vec3(rt::infinity, 0, 0);
@@ -179,12 +181,12 @@ TEST_CASE("samples that are not finite are counted, and the first is the same fo
         for (const rt::vec3 mean : {film.mean(4, 5), film.mean(70, 5), film.mean(3, 30)})
             CHECK((std::isnan(mean.x) && std::isnan(mean.y) && std::isnan(mean.z)));
         CHECK(std::isnan(film.variance(4, 5).x));
-        CHECK(film.mean(5, 5) == healthy.mean(5, 5)); // the neighbours are well
+        CHECK(film.mean(5, 5) == healthy.mean(5, 5)); // neighbours are unaffected
         CHECK(film.mean(69, 5) == healthy.mean(69, 5));
     }
 }
 
-TEST_CASE("a crop reports the first sample that is not finite by its place in the whole picture") {
+TEST_CASE("a crop reports the first sample that is not finite with its coordinates in the whole picture") {
     rt::RenderSettings wanted = picture(40, 30, 1, 1);
     wanted.crop = {10, 20, 40, 30};
     const rt::Film film = rt::render(wanted, [](rt::PixelSample& sample) {
@@ -212,7 +214,7 @@ TEST_CASE("an exception soon ends the work of the other threads") {
     std::atomic<int> asked = 0;
     const auto failing = [&asked](rt::PixelSample& sample) -> rt::vec3 {
         ++asked;
-        if (sample.x == 0 && sample.y == 0) throw std::runtime_error("at once");
+        if (sample.x == 0 && sample.y == 0) throw std::runtime_error("immediately");
         std::this_thread::sleep_for(std::chrono::microseconds(100));
         return rt::vec3(0);
     };
@@ -220,8 +222,8 @@ TEST_CASE("an exception soon ends the work of the other threads") {
     CHECK(asked < 128 * 64 / 4);
 }
 
-TEST_CASE("the ray statistics add up what all threads counted, and nothing older") {
-    rt::ray_stats.rays = 1000; // of the thread that calls
+TEST_CASE("the ray statistics are the sum over all threads without earlier counts") {
+    rt::ray_stats.rays = 1000; // counted earlier by the calling thread
     for (const int threads : {1, 3}) {
         CAPTURE(threads);
         const rt::Film film = rt::render(picture(83, 49, 2, threads), [](rt::PixelSample& sample) {
@@ -245,7 +247,7 @@ TEST_CASE("two threads work at the same time") {
         return seen.size();
     };
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(5);
-    rt::render(picture(64, 64, 1, 2), [&](rt::PixelSample&) { // the first to come waits for the other
+    rt::render(picture(64, 64, 1, 2), [&](rt::PixelSample&) { // the first sample waits for the other thread
         while (count() < 2 && std::chrono::steady_clock::now() < end)
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
         return rt::vec3(0);
@@ -253,14 +255,14 @@ TEST_CASE("two threads work at the same time") {
     CHECK(seen.size() == 2);
 }
 
-TEST_CASE("no more threads are started than there are pixels, and 0 stands for some") {
+TEST_CASE("no more threads are started than there are pixels and 0 selects a number") {
     CHECK(rt::thread_count(picture(1, 1, 1, 8)) == 1);
     CHECK(rt::thread_count(picture(3, 1, 1, 8)) == 3);
     CHECK(rt::thread_count(picture(640, 400, 1, 8)) == 8);
     CHECK(rt::thread_count(picture(640, 400, 1, 0)) >= 1);
 }
 
-TEST_CASE("progress never goes back and ends at 1, told by one of the threads at a time") {
+TEST_CASE("progress never decreases and ends at 1; only one of the threads reports it at a time") {
     std::vector<float> shares;
     rt::render(picture(83, 49, 1, 3), noise, [&shares](float share) { shares.push_back(share); });
     REQUIRE(shares.size() > 4);

@@ -1,4 +1,4 @@
-// Facts about written files: links, permissions and names are kept, and a refusal says the true reason.
+// Facts about written files: links, permissions and names are kept, and an error states the true reason.
 #include "common/util/file_bytes.h"
 
 #include "tests/malformed/folder.h"
@@ -12,7 +12,7 @@
 using namespace rt;
 using namespace rt::malformed;
 
-TEST_CASE("what is written is what is read, whatever bytes") {
+TEST_CASE("a file is read with the bytes that were written") {
     const Folder folder;
     std::string bytes;
     for (int i = 0; i < 100000; ++i) bytes += char(i * 7);
@@ -23,7 +23,7 @@ TEST_CASE("what is written is what is read, whatever bytes") {
     CHECK(folder.files() == 1);
 }
 
-TEST_CASE("random digits are never the same twice") {
+TEST_CASE("random digits never repeat") {
     CHECK(random_digits().size() == 12);
     CHECK(random_digits() != random_digits());
 }
@@ -41,7 +41,7 @@ TEST_CASE("a file keeps the permissions of the one that it replaces") {
     }
 }
 
-TEST_CASE("a link that leads to no file yet stays a link, and its file is made") {
+TEST_CASE("a link to a file that does not exist stays a link, and its file is created") {
     const Folder folder;
     fs::create_directories(folder.path / "there");
     fs::create_symlink("there/new.png", folder.path / "a");
@@ -55,7 +55,7 @@ TEST_CASE("a link that leads to no file yet stays a link, and its file is made")
     CHECK(folder.files() == 3);
 }
 
-TEST_CASE("links that lead nowhere are refused before any work") {
+TEST_CASE("links that lead nowhere are rejected before any work") {
     const Folder folder;
     fs::create_symlink("b", folder.path / "a");
     fs::create_symlink("a", folder.path / "b");
@@ -65,7 +65,7 @@ TEST_CASE("links that lead nowhere are refused before any work") {
     CHECK_ERROR(error_of([&] { check_file_writable(folder / "c"); }), "none does not exist");
 }
 
-TEST_CASE("a file of two names is replaced under the one that is written") {
+TEST_CASE("a file with two names is replaced only under the name that is written") {
     const Folder folder;
     folder.write("a", "old");
     fs::create_hard_link(folder.path / "a", folder.path / "b");
@@ -74,7 +74,7 @@ TEST_CASE("a file of two names is replaced under the one that is written") {
     CHECK(bytes_of(folder / "b") == "old");
 }
 
-TEST_CASE("a name of 255 bytes is written, a longer one is refused before any work, with the reason") {
+TEST_CASE("a name of 255 bytes is written; a longer one is rejected before any work, with the reason") {
     const Folder folder;
     const std::string longest(255, 'n');
     check_file_writable(folder / longest);
@@ -84,7 +84,7 @@ TEST_CASE("a name of 255 bytes is written, a longer one is refused before any wo
     CHECK_ERROR(error_of([&] { check_file_writable(folder / (longest + "n")); }), "File name too long");
 }
 
-TEST_CASE("of two programs that write the same file, each writes it whole") {
+TEST_CASE("if two programs write the same file, each writes it completely") {
     const Folder folder;
     const std::string path = folder / "a", zeros(300000, '0'), ones(200000, '1');
     const auto write_often = [&path](const std::string& bytes) {

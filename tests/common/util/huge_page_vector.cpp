@@ -1,4 +1,4 @@
-// Facts about huge-page vectors: where they begin, and that they otherwise are vectors like any other.
+// Facts about HugePageVector: its alignment, and that it otherwise behaves like std::vector.
 #include "common/util/huge_page_vector.h"
 
 #include <doctest/doctest.h>
@@ -20,7 +20,7 @@ std::size_t beyond(const void* memory, std::size_t alignment) {
     return reinterpret_cast<std::uintptr_t>(memory) % alignment;
 }
 
-/// A number that tells its place.
+/// Returns a value that identifies its index.
 std::uint32_t mark(std::size_t i) {
     return std::uint32_t(i) * 2654435761u;
 }
@@ -33,8 +33,8 @@ std::ptrdiff_t count_wrong(const HugePageVector<std::uint32_t>& numbers, std::si
 
 } // namespace
 
-TEST_CASE("a HugePageVector begins at an alignment of 64 bytes, and from 1 MB on of 2 MB") {
-    std::vector<HugePageVector<char>> alive; // so that each must find a place of its own
+TEST_CASE("a HugePageVector is aligned to 64 bytes and from 1 MB on to 2 MB") {
+    std::vector<HugePageVector<char>> alive; // all alive, so that each has its own memory
     for (const std::size_t bytes : {std::size_t(1), std::size_t(63), std::size_t(64), std::size_t(65),
                                     std::size_t(1000), std::size_t(4096), mega - 1, mega, 2 * mega,
                                     4 * mega - 1, 4 * mega, 4 * mega + 1, 5 * mega, 8 * mega}) {
@@ -47,7 +47,7 @@ TEST_CASE("a HugePageVector begins at an alignment of 64 bytes, and from 1 MB on
     }
 }
 
-TEST_CASE("all of a HugePageVector can be written, up to its last byte") {
+TEST_CASE("all of a HugePageVector can be written up to its last byte") {
     for (const std::size_t bytes :
          {std::size_t(1), std::size_t(100), mega - 1, mega, 4 * mega - 1, 4 * mega, 7 * mega + 5}) {
         CAPTURE(bytes);
@@ -57,22 +57,22 @@ TEST_CASE("all of a HugePageVector can be written, up to its last byte") {
     }
 }
 
-TEST_CASE("resize() of a HugePageVector keeps what is there and does not clear what it adds") {
+TEST_CASE("resize() of a HugePageVector keeps old elements and does not clear new ones") {
     HugePageVector<std::uint32_t> numbers;
     numbers.resize(1000);
     for (std::size_t i = 0; i < 1000; ++i) numbers[i] = mark(i);
     numbers.resize(10);
     numbers.resize(1000);
     CHECK_MESSAGE(count_wrong(numbers, 1000) == 0,
-                  "cleared: whoever asks for millions pays for a second pass");
-    numbers.resize(2 * mega); // moves: from one alignment to the other
+                  "cleared: a resize to millions of elements costs a second pass");
+    numbers.resize(2 * mega); // reallocates: from one alignment to the other
     CHECK(count_wrong(numbers, 1000) == 0);
     numbers.resize(100);
     numbers.shrink_to_fit();
     CHECK(count_wrong(numbers, 100) == 0);
 }
 
-TEST_CASE("resize() of a HugePageVector gives a type with initial values these values") {
+TEST_CASE("resize() of a HugePageVector applies the default member initialisers of a type") {
     struct Initial {
         int number = 3;
         float other = -0.5f;
@@ -84,7 +84,7 @@ TEST_CASE("resize() of a HugePageVector gives a type with initial values these v
     CHECK(std::ranges::count(sevens, 7) == 1000);
 }
 
-TEST_CASE("push_back() keeps what is in a HugePageVector while it grows beyond 4 MB") {
+TEST_CASE("push_back() keeps the elements of a HugePageVector while it grows beyond 4 MB") {
     HugePageVector<std::uint32_t> numbers;
     for (std::size_t i = 0; i < 3 * mega; ++i) numbers.push_back(mark(i));
     CHECK(numbers.size() == 3 * mega);
@@ -93,10 +93,10 @@ TEST_CASE("push_back() keeps what is in a HugePageVector while it grows beyond 4
     const std::uint32_t* const place = numbers.data();
     const HugePageVector<std::uint32_t> moved = std::move(numbers);
     CHECK(copy == moved);
-    CHECK_MESSAGE(moved.data() == place, "moving 12 MB must not copy them");
+    CHECK_MESSAGE(moved.data() == place, "a move of 12 MB must not copy them");
 }
 
-TEST_CASE("a HugePageVector of nothing is like any other") {
+TEST_CASE("an empty HugePageVector behaves like any other vector") {
     HugePageVector<double> none;
     none.resize(0);
     none.shrink_to_fit();
@@ -110,7 +110,7 @@ TEST_CASE("a HugePageVector of nothing is like any other") {
     huge_page_free(huge_page_allocate(0), 0);
 }
 
-TEST_CASE("a HugePageVector that no memory holds is std::bad_alloc") {
+TEST_CASE("a HugePageVector that exceeds the memory throws std::bad_alloc") {
     HugePageAllocator<double> allocator;
     CHECK_THROWS_AS(allocator.allocate(std::size_t(-1) / sizeof(double) + 1), std::bad_alloc);
 }

@@ -1,4 +1,4 @@
-// Facts about match(): the arm that runs is the one for what the variant holds.
+// Facts about match(): it runs the arm for the type that the variant holds.
 #include "common/util/match.h"
 
 #include <doctest/doctest.h>
@@ -24,13 +24,13 @@ constexpr int number(const Material& material) {
 
 } // namespace
 
-TEST_CASE("match calls the arm for what the variant holds") {
+TEST_CASE("match calls the arm for the type that the variant holds") {
     CHECK(number(Matte{}) == 10);
     CHECK(number(Mirror{}) == 20);
     static_assert(number(Mirror{}) == 20, "match works at compile time");
 }
 
-TEST_CASE("match prefers the arm that names the type to the one that takes all") {
+TEST_CASE("match prefers the arm that names the type to a generic one") {
     const auto name = [](const Material& material) {
         return rt::match(
             material, [](const Mirror&) { return std::string("mirror"); },
@@ -40,14 +40,14 @@ TEST_CASE("match prefers the arm that names the type to the one that takes all")
     CHECK(name(Matte{}) == "other");
 }
 
-TEST_CASE("match hands out a reference to what the variant holds, not a copy") {
+TEST_CASE("match passes a reference to the value and not a copy") {
     Material material = Mirror{};
     int& value = rt::match(material, [](auto& held) -> int& { return held.value; });
     value = 7;
     CHECK(std::get<Mirror>(material).value == 7);
 }
 
-TEST_CASE("match moves out of a variant that is given away") {
+TEST_CASE("match moves out of an rvalue variant") {
     std::variant<std::unique_ptr<int>, int> owner = std::make_unique<int>(5);
     const auto taken = rt::match(
         std::move(owner), [](std::unique_ptr<int>&& held) { return std::move(held); },
@@ -57,7 +57,7 @@ TEST_CASE("match moves out of a variant that is given away") {
     CHECK_FALSE(std::get<0>(owner));
 }
 
-TEST_CASE("an alternative without an arm is no match") {
+TEST_CASE("a type without an arm is not invocable") {
     const auto arm = [](const Matte&) { return 1; };
     using Arms = rt::Overloaded<decltype(arm)>;
     static_assert(std::is_invocable_v<Arms, const Matte&>);

@@ -1,5 +1,4 @@
-// Facts about work on several threads: all of it is done, on no more threads than allowed, and no exception
-// is lost.
+// Facts about parallel work: all of it is done, on no more threads than allowed, and no exception is lost.
 #include "common/util/parallel.h"
 
 #include <doctest/doctest.h>
@@ -18,7 +17,7 @@ using namespace rt;
 
 namespace {
 
-/// Allows `count` threads until the end of the check.
+/// Permits `count` threads until the end of its scope.
 struct Allowed {
     explicit Allowed(int count) { set_thread_count(count); }
     ~Allowed() { set_thread_count(0); }
@@ -26,19 +25,19 @@ struct Allowed {
     Allowed& operator=(const Allowed&) = delete;
 };
 
-/// Calls parallel_invoke() within parallel_invoke(), `depth` deep, and `leaf` at each of the 2^depth ends.
+/// Nests parallel_invoke() `depth` levels deep and calls `leaf` at each of the 2^depth ends.
 void tree_of_invokes(int depth, const std::function<void()>& leaf) {
     if (depth == 0) return leaf();
     parallel_invoke([&] { tree_of_invokes(depth - 1, leaf); }, [&] { tree_of_invokes(depth - 1, leaf); });
 }
 
-/// Waits until `flag` is set, for ten seconds at most. Answers whether it is.
+/// Waits until `flag` is set, ten seconds at most, and returns whether it is.
 bool comes(const std::atomic<bool>& flag) {
     for (int i = 0; i < 10000 && !flag; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     return flag;
 }
 
-/// Whether each of parallel_invoke() sees that the other one has begun.
+/// Returns whether both functions of parallel_invoke() see that the other one has begun.
 bool at_the_same_time() {
     std::atomic<bool> first = false, second = false, met_first = false, met_second = false;
     parallel_invoke(
@@ -55,23 +54,23 @@ bool at_the_same_time() {
 
 } // namespace
 
-TEST_CASE("parallel_invoke() does both, also within itself, on any number of threads") {
+TEST_CASE("parallel_invoke() calls both functions even if nested on any number of threads") {
     for (const int threads : {1, 2, 3, 8, 0}) {
         CAPTURE(threads);
         const Allowed allowed(threads);
         std::atomic<int> leaves = 0;
         tree_of_invokes(7, [&] { ++leaves; });
-        CHECK_MESSAGE(leaves == 128, "fewer: one of the two is lost where no thread is to be had");
+        CHECK_MESSAGE(leaves == 128, "fewer: one of the two calls is lost if no thread is available");
     }
 }
 
-TEST_CASE("parallel_invoke() works at the same time on two threads, again and again") {
+TEST_CASE("parallel_invoke() repeatedly runs on two threads at the same time") {
     const Allowed allowed(2);
     CHECK(at_the_same_time());
-    CHECK_MESSAGE(at_the_same_time(), "a thread that has ended must be given back");
+    CHECK_MESSAGE(at_the_same_time(), "a thread that has finished must become available again");
 }
 
-TEST_CASE("no more threads are at work than set_thread_count() allows") {
+TEST_CASE("no more threads are at work than set_thread_count() permits") {
     for (const int threads : {1, 2, 3}) {
         CAPTURE(threads);
         const Allowed allowed(threads);
@@ -86,7 +85,7 @@ TEST_CASE("no more threads are at work than set_thread_count() allows") {
     }
 }
 
-TEST_CASE("with set_thread_count(1) all is done on the thread that calls") {
+TEST_CASE("with set_thread_count(1), all work is done on the calling thread") {
     const Allowed allowed(1);
     const auto own = std::this_thread::get_id();
     int elsewhere = 0, ranges = 0;
@@ -96,10 +95,11 @@ TEST_CASE("with set_thread_count(1) all is done on the thread that calls") {
         ranges += begin == 0 && end == 1000;
     });
     CHECK(elsewhere == 0);
-    CHECK_MESSAGE(ranges == 1, "one thread has no use for more than one range");
+    CHECK_MESSAGE(ranges == 1, "a single thread must get a single range");
 }
 
-TEST_CASE("what one of both throws comes out when neither is at work, on one thread and on two") {
+TEST_CASE("an exception from either function leaves parallel_invoke() after both have ended, on one thread "
+          "and on two") {
     for (const int threads : {1, 2}) {
         for (const bool first_throws : {true, false}) {
             CAPTURE(threads);
@@ -116,14 +116,14 @@ TEST_CASE("what one of both throws comes out when neither is at work, on one thr
                 first_throws ? parallel_invoke(failing, slow) : parallel_invoke(slow, failing);
             };
             CHECK_THROWS_WITH_AS(call(), "no more", std::runtime_error);
-            CHECK_MESSAGE(begun == ended, "it still writes where the caller's variables were");
+            CHECK_MESSAGE(begun == ended, "the other function still writes to the caller's variables");
             if (threads == 2) CHECK(ended == 1);
         }
     }
 }
 
 TEST_CASE(
-    "an exception from a thread deep within parallel_invoke() reaches the caller, and costs no thread") {
+    "an exception from a thread deep within parallel_invoke() reaches the caller and no thread is lost") {
     const Allowed allowed(2);
     for (int i = 0; i < 5; ++i) {
         std::atomic<int> leaves = 0;
@@ -135,7 +135,7 @@ TEST_CASE(
     CHECK(at_the_same_time());
 }
 
-TEST_CASE("parallel_for() covers each number once, for any count on any number of threads") {
+TEST_CASE("parallel_for() covers each index once for any count on any number of threads") {
     for (const int threads : {1, 2, 5, 0}) {
         const Allowed allowed(threads);
         for (const std::size_t count : {0, 1, 2, 3, 7, 8, 9, 64, 1000, 1001}) {
@@ -151,13 +151,13 @@ TEST_CASE("parallel_for() covers each number once, for any count on any number o
                 CAPTURE(grain_size);
                 CHECK(std::ranges::all_of(times, [](const auto& time) { return time == 1; }));
                 CHECK_MESSAGE(too_small == 0,
-                              "a range holds `grain_size` numbers or more, unless there are fewer");
+                              "a range has at least `grain_size` indices unless there are fewer");
             }
         }
     }
 }
 
-TEST_CASE("parallel_for() shares its ranges between threads") {
+TEST_CASE("parallel_for() distributes its ranges between threads") {
     const Allowed allowed(2);
     std::array<std::atomic<bool>, 2> begun{};
     std::atomic<int> met = 0;

@@ -1,4 +1,4 @@
-// Facts about where assets are looked for.
+// Facts about the search for assets.
 #include "common/util/paths.h"
 
 #include "common/util/error.h"
@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder of assets that RAYSTEPS_ASSETS names while it lives.
+/// A folder of assets that RAYSTEPS_ASSETS names during its lifetime.
 class ChosenFolder {
   public:
     ChosenFolder()
@@ -51,7 +51,7 @@ TEST_CASE("an asset is found in the folder that RAYSTEPS_ASSETS names") {
     CHECK(rt::asset_path("mine.obj") == (folder.path / "mine.obj").string());
 }
 
-TEST_CASE("an asset that is nowhere is an error that names every path tried") {
+TEST_CASE("a missing asset is an error that names every path tried") {
     const ChosenFolder folder;
     for (const std::string name : {"no_such_asset.obj", "a_folder.obj"}) {
         CAPTURE(name);
