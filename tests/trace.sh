@@ -15,18 +15,18 @@ fail() {
 # Somewhere in the middle row of the picture stands a mirror; its ray goes on one level deeper.
 for ((x = 0; x < 640; x += 20)); do
     told=$(crop $x,200,$((x + 1)),201)
-    if grep -q 'Mirror' <<<"$told" && grep -q 'free' <<<"$told"; then break; fi
+    if grep -q 'Mirror' <<<"$told" && grep -q 'unoccluded' <<<"$told"; then break; fi
 done
-grep -q 'meets material [0-9]*, a Mirror' <<<"$told" || fail "no mirror is met"
+grep -q 'hits material [0-9]*, a Mirror' <<<"$told" || fail "no mirror is met"
 grep -q '^    ray from ' <<<"$told" || fail "no ray goes on from it"
-grep -q '^    brings back (' <<<"$told" || fail "nothing comes back from there"
-grep -q 'shadow ray from .*: free' <<<"$told" || fail "no shadow ray is free"
+grep -q '^    returns (' <<<"$told" || fail "nothing comes back from there"
+grep -q 'shadow ray from .*: unoccluded' <<<"$told" || fail "no shadow ray is free"
 
 # One sample of sixteen, unless another is asked for; there is no seventeenth.
-one=$(crop 320,240,321,241 | grep -c '^  brings back')
+one=$(crop 320,240,321,241 | grep -c '^  returns')
 [ "$one" = 1 ] || fail "$one samples are told, not one"
 second=$(RAYSTEPS_TRACE_SAMPLE=2 crop 320,240,321,241 | grep -v '^wrote ')
 first=$(crop 320,240,321,241 | grep -v '^wrote ')
 [ "$first" != "$second" ] || fail "the second sample is the first one"
-none=$(RAYSTEPS_TRACE_SAMPLE=17 crop 320,240,321,241 | grep -c 'brings back' || true)
+none=$(RAYSTEPS_TRACE_SAMPLE=17 crop 320,240,321,241 | grep -c 'returns' || true)
 [ "$none" = 0 ] || fail "there is a seventeenth sample"

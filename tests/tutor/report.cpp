@@ -340,12 +340,12 @@ TEST_CASE("a picture that cannot be shown is an error that names it") {
                 "gone.png: no such file");
     folder.write("text.png", "This is a text of more than twenty-four bytes.");
     CHECK_ERROR(error([&](Json& r) { r["pictures"]["map"] = folder / "text.png"; }),
-                "text.png: is no PNG picture");
+                "text.png: is not a PNG file");
     folder.write("short.png", bytes_of(references + "03_mirror.png").substr(0, 20));
     CHECK_ERROR(error([&](Json& r) { r["mistake"]["picture"] = folder / "short.png"; }),
-                "short.png: is no PNG picture");
+                "short.png: is not a PNG file");
     CHECK_ERROR(error([&](Json& r) { r["pictures"]["reference"] = references + "08_indirect.png"; }),
-                "08_indirect.png", "another size", "mine.png");
+                "08_indirect.png", "differs in size", "mine.png");
 }
 
 TEST_CASE("a frame that is missing or has no place for the data is an error that names it") {
@@ -354,9 +354,9 @@ TEST_CASE("a frame that is missing or has no place for the data is an error that
     const auto error = [&] { return error_of([&] { report_html(folder.path, report); }); };
     CHECK_ERROR(error(), "tools/tutor/report.html: no such file");
     folder.write("tools/tutor/report.html", "<html></html>");
-    CHECK_ERROR(error(), "tools/tutor/report.html: {{report}} must stand in it exactly once");
+    CHECK_ERROR(error(), "tools/tutor/report.html: {{report}} must occur in it exactly once");
     folder.write("tools/tutor/report.html", "{{report}} {{report}}");
-    CHECK_ERROR(error(), "tools/tutor/report.html: {{report}} must stand in it exactly once");
+    CHECK_ERROR(error(), "tools/tutor/report.html: {{report}} must occur in it exactly once");
     folder.write("tools/tutor/report.html", "<{{report}}>");
     CHECK(error() == "no error");
 }

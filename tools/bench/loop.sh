@@ -14,8 +14,8 @@ waited() { # $1: the file that is saved; sets $checks and $picture, the seconds 
     begin=$(now)
     while IFS= read -r line; do
         case $line in
-            first*) checks=$(since "$begin") ;;
-            picture* | glimpse*) [ -n "$picture" ] || picture=$(since "$begin") ;;
+            file*) checks=$(since "$begin") ;;
+            picture* | preview*) [ -n "$picture" ] || picture=$(since "$begin") ;;
         esac
     done < <("$build/bin/tutor" --root "$root" --workshop "$build/loop" check "$step" --build "$build" |
         tee "$build/said_loop.txt")

@@ -1,4 +1,4 @@
-// Reads the reference line by line: it is formatted by a machine, so a function begins and ends in column 0.
+// Finds exercises by scanning lines. The code is machine-formatted, so functions begin and end in column 0.
 #include "tools/tutor/exercises.h"
 
 #include "common/util/error.h"
@@ -17,7 +17,7 @@ namespace {
 
 const std::string todo = "// TODO: ";
 
-/// What follows `mark` where a line begins with it.
+/// Returns the text after `mark` if the line begins with it, ignoring indentation.
 std::optional<std::string> after(const std::string& line, const std::string& mark) {
     const std::string text = trimmed(line);
     if (!text.starts_with(mark)) return std::nullopt;
@@ -39,7 +39,8 @@ std::string indentation(const std::string& line) {
     throw Error(path + ":" + std::to_string(line) + ": " + what);
 }
 
-/// "reflected_ray" from "inline Ray reflected_ray(const Ray& ray, ..."; nothing for what is no function.
+/// Returns "reflected_ray" for "inline Ray reflected_ray(const Ray& ray, ..."; nothing if the line is
+/// not a function.
 std::optional<std::string> function_name(const std::string& line) {
     if (line.empty() || std::string(" \t/}#").find(line[0]) != std::string::npos) return std::nullopt;
     const auto bracket = line.find('(');
@@ -51,7 +52,7 @@ std::optional<std::string> function_name(const std::string& line) {
     return line.substr(first, bracket - first);
 }
 
-/// Notes the function whose body line number `line` stands in.
+/// Stores in `exercise` the function whose body contains the exercise. Throws Error if there is none.
 void find_function(Exercise& exercise, const Words& lines, const std::string& path) {
     for (int line = exercise.line; line > 0; --line) {
         const std::string& text = lines[std::size_t(line) - 1];
@@ -62,10 +63,10 @@ void find_function(Exercise& exercise, const Words& lines, const std::string& pa
             return;
         }
     }
-    refuse(path, exercise.line, "this region stands in no function");
+    refuse(path, exercise.line, "this region is not inside a function");
 }
 
-/// The text from the beginning of a function to its end, without blanks and comments. `line` from 1.
+/// Returns the text of the function that begins at `line` (from 1), without whitespace and comments.
 std::string bare_function(const Words& lines, std::size_t line) {
     std::string bare;
     for (; line <= lines.size(); ++line) {
@@ -77,7 +78,7 @@ std::string bare_function(const Words& lines, std::size_t line) {
     return bare;
 }
 
-/// The headers of steps that a file names: #include "01_spheres/ray.h".
+/// Returns the headers of steps that a file includes, such as "01_spheres/ray.h".
 Words named_headers(const std::string& text) {
     Words headers;
     for (const std::string& line : lines_of(text)) {
@@ -101,7 +102,7 @@ void visit(const std::vector<fs::path>& folders, const std::string& header, std:
     order.push_back(header);
 }
 
-/// The headers of a step, each after those that it includes.
+/// Returns the headers of a step, each after the headers that it includes.
 Words headers_in_order(const fs::path& steps, const std::string& step) {
     Words headers, order;
     for (const fs::path& entry : entries_of(steps / step))
@@ -114,9 +115,10 @@ Words headers_in_order(const fs::path& steps, const std::string& step) {
     return order;
 }
 
-/// Gives each exercise a name of its own.
+/// Gives each exercise a unique name.
 void name_exercises(std::vector<Exercise>& exercises) {
-    std::map<std::string, std::set<std::string>> functions; // by name: where such functions begin
+    std::map<std::string, std::set<std::string>>
+        functions; // name -> the places where functions of that name begin
     for (const Exercise& e : exercises)
         functions[e.function].insert(e.file + ":" + std::to_string(e.function_line));
     std::map<std::string, int> met;
@@ -146,13 +148,14 @@ std::vector<Exercise> find_exercises(const std::string& text, const std::string&
     for (int number = 1; number <= int(lines.size()); ++number) {
         const std::string& line = lines[std::size_t(number) - 1];
         if (const auto task = opening(line)) {
-            if (open) refuse(path, found.back().line, "this region has no end (//<) before the next one");
-            if (task->empty()) refuse(path, number, "this region names no task after //>");
+            if (open)
+                refuse(path, found.back().line, "this region has no end (//<) before the next one begins");
+            if (task->empty()) refuse(path, number, "the task after //> is missing");
             found.push_back({.line = number, .task = *task});
             find_function(found.back(), lines, path);
             open = true;
         } else if (const auto placeholder = closing(line)) {
-            if (!open) refuse(path, number, "a region ends here (//<) that did not begin (//>)");
+            if (!open) refuse(path, number, "a region ends here (//<) without a beginning (//>)");
             found.back().last_line = number;
             found.back().placeholder = *placeholder;
             open = false;
