@@ -122,7 +122,8 @@ TEST_CASE(
     "Sources and pages that are cut short or damaged are complaints, or nothing: never another exception") {
     for (const char* text : {"alignas(", "requires(", "struct alignas(", "template<int>", "template",
                              "template <int>   ", "(", "};", "'"})
-        CHECK_MESSAGE(complaint([&] { region(text, "x", "steps/x.h"); }) == "steps/x.h: there is no declaration of x",
+        CHECK_MESSAGE(complaint([&] { region(text, "x", "steps/x.h"); }) ==
+                          "steps/x.h: there is no declaration of x",
                       std::string(text));
     for (const char* command :
          {"x # exit y", "x # exit ", "x # exit 99999999999", "x # exit -1", "x # exit 256"})

@@ -72,17 +72,19 @@ TEST_CASE("without a name the exercises of the step are listed, with how much wa
 
 TEST_CASE("an unknown exercise is refused with the names that there are") {
     const SmallProject small;
-    CHECK_THROWS_WITH_AS(hint(small, "quarter"), "01_one has no function 'quarter' to write; it has half, sign",
-                         Error);
+    CHECK_THROWS_WITH_AS(hint(small, "quarter"),
+                         "01_one has no function 'quarter' to write; it has half, sign", Error);
 }
 
 TEST_CASE("hints that are missing, left over or not three are errors that name the file") {
     CHECK(has(complaint("## half\n1. a\n2. b\n3. c\n"), "01_one/hints.md: there are no hints for sign"));
     const std::string both = "## half\n1. a\n2. b\n3. c\n## sign\n1. a\n2. b\n3. c\n";
     CHECK(complaint(both) == "");
-    CHECK(has(complaint(both + "## quarter\n1. a\n2. b\n3. c\n"), "hints for quarter, which is not an exercise"));
+    CHECK(has(complaint(both + "## quarter\n1. a\n2. b\n3. c\n"),
+              "hints for quarter, which is not an exercise"));
     CHECK(has(complaint(both + "4. d\n"), "4 hints for sign; there must be three"));
-    CHECK(has(complaint("## half\n1. a\n## sign\n1. a\n2. b\n3. c\n"), "1 hints for half; there must be three"));
+    CHECK(has(complaint("## half\n1. a\n## sign\n1. a\n2. b\n3. c\n"),
+              "1 hints for half; there must be three"));
     CHECK(has(complaint(both + "## half\n"), "01_one/hints.md:9: there are already hints for half"));
     CHECK(has(complaint("## half\n2. a\n"), "01_one/hints.md:2: expected '1. '"));
     CHECK(has(complaint("1. a\n"), "01_one/hints.md:1: expected '## name' before the first hint"));

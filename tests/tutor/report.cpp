@@ -231,12 +231,12 @@ TEST_CASE("base64 is what the standard's examples say") {
 }
 
 TEST_CASE("an embedded text is JSON in which nothing ends a script") {
-    CHECK(embedded("plain \xC3\xA4 \xE2\x82\xAC \xF0\x9F\x98\x80") ==
+    CHECK(script_safe_json("plain \xC3\xA4 \xE2\x82\xAC \xF0\x9F\x98\x80") ==
           "\"plain \xC3\xA4 \xE2\x82\xAC \xF0\x9F\x98\x80\"");
-    CHECK(embedded("\"\\\n\t\x7F") == "\"\\\"\\\\\\n\\t\\u007f\"");
-    CHECK(embedded("</script>&") == "\"\\u003c/script\\u003e\\u0026\"");
-    CHECK(embedded(std::string("\0", 1)) == "\"\\u0000\"");
-    CHECK(embedded("a\xFFz") == "\"a\xEF\xBF\xBDz\""); // not UTF-8
+    CHECK(script_safe_json("\"\\\n\t\x7F") == "\"\\\"\\\\\\n\\t\\u007f\"");
+    CHECK(script_safe_json("</script>&") == "\"\\u003c/script\\u003e\\u0026\"");
+    CHECK(script_safe_json(std::string("\0", 1)) == "\"\\u0000\"");
+    CHECK(script_safe_json("a\xFFz") == "\"a\xEF\xBF\xBDz\""); // not UTF-8
 }
 
 TEST_CASE("the report holds its three pictures and the mistake's") {

@@ -53,7 +53,7 @@ void check_same_size(const Image& a, const Image& b);
 /// Returns true if each channel differs by at most the tolerance, and neither pixel is NaN or infinite.
 bool agrees(vec3 test, vec3 reference);
 
-/// Both compare pictures and throw Error if their sizes differ. A variance picture has, in its red channel,
+/// Compare two pictures, and throw Error if their sizes differ. A variance picture has, in its red channel,
 /// the variance of each pixel's mean luminance, like Film::variance.
 Difference compare_pixels(const Image& test, const Image& reference);
 TileDifference compare_tiles(const Image& test, const Image& reference, const Image& test_variance,

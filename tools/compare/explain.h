@@ -1,5 +1,5 @@
-// Finds out why two pictures differ: undoes common errors on the test picture and names the one that
-// removes the difference.
+// Finds out why two pictures differ.
+// Undoes common errors on the test picture, one at a time, and names the one that removes the difference.
 #pragma once
 
 #include "tools/compare/encoded.h"

@@ -44,7 +44,7 @@ void check_outputs(const Command& command) {
     if (!command.json.empty() && command.json != "-") rt::check_file_writable(command.json);
 }
 
-rt::compare::Comparison answer(const Command& command) {
+rt::compare::Comparison run_comparison(const Command& command) {
     rt::compare::ComparisonInput input{rt::compare::read_encoded(command.test),
                                        rt::compare::read_encoded(command.reference)};
     if (!command.test_variance.empty())
@@ -76,7 +76,7 @@ int main(int argc, char** argv) {
     try {
         app.parse(argc, argv);
         check_outputs(command);
-        const rt::compare::Comparison comparison = answer(command);
+        const rt::compare::Comparison comparison = run_comparison(command);
         report(command, comparison);
         return rt::compare::is_same(comparison.verdict) ? 0 : 1;
     } catch (const CLI::Success& help) {

@@ -1,5 +1,6 @@
-# Renders the pictures of docs/05_mesh_bvh.md: depth complexity, normals, traversal cost, and shading
-# artefacts at the terminator of coarse and fine spheres.
+# Renders the pictures of docs/05_mesh_bvh.md.
+# They show depth complexity, normals, traversal cost, and shading at the terminator of coarse
+# and fine spheres.
 # shellcheck shell=bash
 # shellcheck source=tools/figures/common.sh
 source "$ROOT/tools/figures/common.sh"

@@ -1,5 +1,5 @@
-# Renders the pictures of docs/06_textures.md: texture coordinates, a card with holes, a close-up of texels,
-# and a repeated card.
+# Renders the pictures of docs/06_textures.md.
+# They show texture coordinates, a card with holes, a close-up of texels, and a repeated card.
 # shellcheck shell=bash
 # shellcheck source=tools/figures/common.sh
 source "$ROOT/tools/figures/common.sh"

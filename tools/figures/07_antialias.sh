@@ -1,5 +1,6 @@
-# Creates the figures of docs/07_antialias.md: one sample at the centre of each pixel, the variance, a lens
-# focused on the cat, and a plot of the error against samples for the three samplers.
+# Creates the figures of docs/07_antialias.md.
+# They show one sample at the centre of each pixel, the variance, a lens focused on the cat, and a plot of the
+# error against samples for the three samplers.
 # shellcheck shell=bash
 source "$ROOT/tools/figures/common.sh"
 

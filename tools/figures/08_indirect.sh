@@ -1,6 +1,6 @@
-# Creates the figures of docs/08_indirect.md: the room without indirect light, the furnace with depth 0 and 1,
-# three ways to sample the light with equal samples, and a plot of the error against time. `./learn bench
-# convergence` measures its data.
+# Creates the figures of docs/08_indirect.md.
+# They show the room without indirect light, the furnace with depth 0 and 1, three ways to sample the light
+# with equal samples, and a plot of the error against time, measured by `./learn bench convergence`.
 # shellcheck shell=bash
 source "$ROOT/tools/figures/common.sh"
 

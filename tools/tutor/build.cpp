@@ -75,16 +75,16 @@ BuildResult build_targets(const fs::path& build, const Words& targets, const fs:
         const BuildLock alone(build);
         return run_process(command, {.log = log});
     });
-    bool told = !on_first;
+    bool notified = !on_first;
     while (process.wait_for(std::chrono::milliseconds(20)) != std::future_status::ready) {
-        if (told || !is_linked(log, targets[0])) continue;
-        told = true;
+        if (notified || !is_linked(log, targets[0])) continue;
+        notified = true;
         on_first();
     }
     const int code = process.get().code;
     BuildResult result{code == 0, code, std::nullopt, read_file(log.string())};
     if (!result.succeeded) result.error = first_error(result.log, preferred);
-    if (result.succeeded && !told) on_first();
+    if (result.succeeded && !notified) on_first();
     return result;
 }
 

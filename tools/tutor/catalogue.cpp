@@ -22,7 +22,7 @@ class Reader {
   public:
     Reader(const std::string& text, const std::string& name) : lines(lines_of(text)), path(name) {}
 
-    bool ended() const { return next >= lines.size(); }
+    bool at_end() const { return next >= lines.size(); }
     const std::string& line() const { return lines[next]; }
     void advance() { ++next; }
     std::string place() const { return path + ":" + std::to_string(std::min(next + 1, lines.size())); }
@@ -50,29 +50,29 @@ void read_heading(Reader& reader, Mistake& mistake) {
 }
 
 void skip_blank_lines(Reader& reader) {
-    while (!reader.ended() && trimmed(reader.line()).empty()) reader.advance();
+    while (!reader.at_end() && trimmed(reader.line()).empty()) reader.advance();
 }
 
 /// Reads from ```diff to ```: the name of the file, then the lines of the change.
 void read_patch(Reader& reader, Mistake& mistake) {
     skip_blank_lines(reader);
-    if (reader.ended() || reader.line() != "```diff") reader.complain("expected ```diff here");
+    if (reader.at_end() || reader.line() != "```diff") reader.complain("expected ```diff here");
     reader.advance();
-    if (!reader.ended()) mistake.file = reader.line();
+    if (!reader.at_end()) mistake.file = reader.line();
     const std::size_t slash = mistake.file.find('/');
     if (slash == std::string::npos || !mistake.file.ends_with(".h"))
         reader.complain("a diff must begin with the header that it changes, such as 03_mirror/mirror.h");
     if (mistake.file.substr(0, slash) > mistake.step)
         reader.complain(mistake.file + " belongs to a later step than " + mistake.step);
     reader.advance();
-    for (; !reader.ended() && reader.line() != "```"; reader.advance()) {
+    for (; !reader.at_end() && reader.line() != "```"; reader.advance()) {
         const std::string& line = reader.line();
         const char kind = line.empty() ? ' ' : line[0];
         if (kind != ' ' && kind != '-' && kind != '+')
             reader.complain("a line of a diff must begin with '-', '+' or a space");
         mistake.patch.push_back({kind, line.empty() ? "" : line.substr(1)});
     }
-    if (reader.ended()) reader.complain("the diff has no end: ``` is missing");
+    if (reader.at_end()) reader.complain("the diff has no end: ``` is missing");
     const auto changes = [](const PatchLine& line) { return line.kind != ' '; };
     if (std::ranges::none_of(mistake.patch, changes)) reader.complain("the diff changes nothing");
     reader.advance();
@@ -82,11 +82,11 @@ void read_patch(Reader& reader, Mistake& mistake) {
 std::string read_field(Reader& reader, const std::string& name) {
     skip_blank_lines(reader);
     const std::string begin = "* " + name + ": ";
-    if (reader.ended() || !reader.line().starts_with(begin))
+    if (reader.at_end() || !reader.line().starts_with(begin))
         reader.complain("expected '" + begin + "...' here");
     std::string text = trimmed(reader.line().substr(begin.size()));
     reader.advance();
-    for (; !reader.ended() && reader.line().starts_with("  "); reader.advance())
+    for (; !reader.at_end() && reader.line().starts_with("  "); reader.advance())
         text += " " + trimmed(reader.line());
     return text;
 }
@@ -134,13 +134,13 @@ std::vector<Mistake> parse_catalogue(const std::string& text, const std::string&
     Reader reader(text, path);
     const std::string step = fs::path(path).parent_path().filename().string();
     const std::string title = "# Mistakes of step " + step.substr(0, 2) + ": ";
-    if (reader.ended() || !reader.line().starts_with(title))
+    if (reader.at_end() || !reader.line().starts_with(title))
         reader.complain("the first line must be '" + title + "...'");
     reader.advance();
-    while (!reader.ended() && !reader.line().starts_with("## ")) reader.advance(); // the introduction
+    while (!reader.at_end() && !reader.line().starts_with("## ")) reader.advance(); // the introduction
     std::vector<Mistake> mistakes;
     std::set<std::string> ids;
-    while (!reader.ended()) {
+    while (!reader.at_end()) {
         if (!reader.line().starts_with("## ")) reader.complain("expected '## id: title' here");
         mistakes.push_back(read_mistake(reader, step));
         const Mistake& last = mistakes.back();

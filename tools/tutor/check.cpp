@@ -58,7 +58,7 @@ std::size_t failures(const std::vector<CheckResult>& checks) {
     return std::size_t(std::ranges::count_if(checks, has_failed));
 }
 
-std::string passed_of(const std::vector<CheckResult>& checks) {
+std::string passed_text(const std::vector<CheckResult>& checks) {
     return std::to_string(checks.size() - failures(checks)) + " of " + std::to_string(checks.size()) +
            " checks";
 }
@@ -88,9 +88,8 @@ const Exercise* exercise_at(const Project& project, const std::vector<Exercise>&
         std::error_code ignored;
         if (!error.file.ends_with(exercise.step + "/" + exercise.file) || !fs::is_regular_file(own, ignored))
             continue;
-        const int line = place_of(exercise, read_file(own.string()));
-        if (line > error.line + 3 || line < begin)
-            continue; // the compiler may report an error before the gap
+        const int line = line_of(exercise, read_file(own.string()));
+        if (line > error.line + 3 || line < begin) continue; // the error may be reported before the gap
         nearest = &exercise;
         begin = line;
     }
@@ -123,7 +122,7 @@ void print_compile_error(const Project& project, const std::string& step, const 
 std::vector<CheckResult> run_file(const CheckOptions& options, const std::string& file,
                                   const fs::path& scratch) {
     const fs::path program = options.build / "bin" / ("test_" + file), log = scratch / "checks.txt",
-                   kept = options.build / ("said_" + file + ".txt");
+                   kept = options.build / ("results_" + file + ".txt");
     std::error_code ignored;
     const fs::file_time_type made = fs::last_write_time(program, ignored);
     if (fs::last_write_time(kept, ignored) > made) return parse_results(read_file(kept.string()));
@@ -147,20 +146,20 @@ void run_earlier(const Project& project, const CheckOptions& options, Findings& 
         std::vector<CheckResult> checks;
         for (const std::string& file : quick_files(project, step))
             std::ranges::move(run_file(options, file, findings.scratch), std::back_inserter(checks));
-        findings.earlier.push_back(step + ": " + passed_of(checks) + " pass");
+        findings.earlier.push_back(step + ": " + passed_text(checks) + " pass");
         findings.earlier_hold = findings.earlier_hold && failures(checks) == 0;
     }
 }
 
 /// Returns whether the checks belong to a header in which the learner has not written anything yet.
-bool is_of_untouched(const std::string& step, const std::string& file, const Findings& findings) {
-    bool of_some = false;
+bool belongs_to_untouched(const std::string& step, const std::string& file, const Findings& findings) {
+    bool any = false;
     for (const Exercise& exercise : findings.exercises) {
         if (check_file_of(step, exercise.file) != file) continue;
-        of_some = true;
+        any = true;
         if (std::ranges::find(findings.untouched, exercise.name) == findings.untouched.end()) return false;
     }
-    return of_some;
+    return any;
 }
 
 /// Returns the functions in which an endless check may hang: of the written functions of its header, those
@@ -175,7 +174,7 @@ Words suspects(const Project& project, const std::string& step, const Findings& 
         std::error_code ignored;
         if (!written || findings.diagnosis.endless->failures.front().place != program) continue;
         if (!fs::is_regular_file(path, ignored)) continue;
-        all.push_back(exercise.name + " (" + display_path(path, place_of(exercise, read_file(path))) + ")");
+        all.push_back(exercise.name + " (" + display_path(path, line_of(exercise, read_file(path))) + ")");
         if (may_not_end(exercise, read_file(path))) loops.push_back(all.back());
     }
     return loops.empty() ? all : loops;
@@ -186,11 +185,11 @@ Words suspects(const Project& project, const std::string& step, const Findings& 
 void find_mistake(const Project& project, const CheckOptions& options, Findings& findings) {
     std::vector<std::vector<CheckResult>> written;
     for (const CheckedFile& file : findings.files)
-        if (!is_of_untouched(options.step, file.name, findings)) written.push_back(file.results);
+        if (!belongs_to_untouched(options.step, file.name, findings)) written.push_back(file.results);
     findings.diagnosis = diagnose(read_signatures(project.root, options.step), written);
     if (findings.diagnosis.endless) findings.diagnosis.suspects = suspects(project, options.step, findings);
     const bool begun = findings.untouched.size() < findings.exercises.size();
-    if (begun && findings.picture.judgement && !findings.picture.holds)
+    if (begun && findings.picture.comparison && !findings.picture.holds)
         findings.similar_mistakes =
             similar_mistakes(project.root, options.step, options.build, findings.scratch);
     for (const Mistake& mistake : read_catalogue(project.root, options.step)) {
@@ -233,16 +232,16 @@ void print_failure(const CheckResult& check, std::ostream& out) {
 
 void print_checks(const Project& project, const std::string& step, const Findings& findings,
                   std::ostream& out) {
-    out << "checks    " << passed_of(findings.checks) << " pass";
+    out << "checks    " << passed_text(findings.checks) << " pass";
     const std::size_t gaps = findings.untouched.size();
     if (gaps > 0)
         out << "; " << gaps << " of " << findings.exercises.size() << " functions are not written yet"
             << (gaps == findings.exercises.size() ? ", so checks are expected to fail" : "");
     out << "\n";
-    int said = 0;
+    int printed = 0;
     for (const CheckResult& check : findings.checks)
-        if (has_failed(check) && said++ < 3) print_failure(check, out);
-    if (said > 3) out << "  failed  " << said - 3 << " more checks; the report lists them\n";
+        if (has_failed(check) && printed++ < 3) print_failure(check, out);
+    if (printed > 3) out << "  failed  " << printed - 3 << " more checks; the report lists them\n";
     if (own_files(project, step).empty())
         out << "          You have no files in workshop/" << step << ", so this checked the reference.\n";
 }
@@ -294,10 +293,10 @@ fs::path write_report(const Project& project, const CheckOptions& options, const
                 {"own_files", Json::array()},
                 {"checks", Json::array()},
                 {"earlier", findings.earlier},
-                {"verdict", picture.judgement ? picture.verdict : picture.reason},
+                {"verdict", picture.comparison ? picture.verdict : picture.reason},
                 {"verdict_lines", picture.lines},
-                {"flip_mean", picture.judgement ? picture.judgement->flip.mean : 0},
-                {"flip_max", picture.judgement ? picture.judgement->flip.max : 0},
+                {"flip_mean", picture.comparison ? picture.comparison->flip.mean : 0},
+                {"flip_max", picture.comparison ? picture.comparison->flip.max : 0},
                 {"tiles_over_4", nullptr},
                 {"mistake", mistake_json(project, findings)},
                 {"next", findings.next},
@@ -309,8 +308,8 @@ fs::path write_report(const Project& project, const CheckOptions& options, const
     for (const std::string& file : own_files(project, options.step))
         report["own_files"].push_back(options.step + "/" + file);
     for (const CheckResult& check : findings.checks) report["checks"].push_back(check_json(check));
-    if (picture.judgement && picture.judgement->tiles)
-        report["tiles_over_4"] = picture.judgement->tiles->outliers;
+    if (picture.comparison && picture.comparison->tiles)
+        report["tiles_over_4"] = picture.comparison->tiles->outliers;
     const fs::path folder = project.workshop / "report", path = folder / (options.step + ".html");
     make_folder(folder);
     write_file(path.string(), report_html(project.root, report));
@@ -344,13 +343,13 @@ BuildResult check_saved_file(const Project& project, const CheckOptions& options
     const fs::path log = findings.scratch / "built.txt";
     const BuildResult built = build_targets(options.build, targets, log, "/workshop/", [&] {
         const std::vector<CheckResult> results = run_file(options, checks, findings.scratch);
-        out << "file      " << file << ": " << passed_of(results) << " pass (" << seconds_since(findings)
+        out << "file      " << file << ": " << passed_text(results) << " pass (" << seconds_since(findings)
             << " s)\n"
             << std::flush;
     });
     if (!built.succeeded || !options.picture) return built;
     findings.picture =
-        judge_picture(project.root, options.step, options.build, findings.scratch, Samples::few);
+        render_and_compare(project.root, options.step, options.build, findings.scratch, Samples::few);
     out << (findings.picture.complete ? "picture   " : "preview   ") << findings.picture.lines.front() << " ("
         << seconds_since(findings) << " s)\n"
         << std::flush;
@@ -385,7 +384,7 @@ void run_and_compare(const Project& project, const CheckOptions& options, Findin
         findings.picture = no_picture("not rendered (--no-picture)");
     else if (!findings.picture.complete)
         findings.picture =
-            judge_picture(project.root, options.step, options.build, findings.scratch, Samples::all);
+            render_and_compare(project.root, options.step, options.build, findings.scratch, Samples::all);
     find_mistake(project, options, findings);
     for (const std::string& line : findings.picture.lines) out << "picture   " << printable(line) << "\n";
     print_mistake(project, options.step, findings, out);

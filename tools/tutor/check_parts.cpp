@@ -84,11 +84,11 @@ PictureFinding failed(std::string reason) {
 
 /// Returns the verdict, the location, and the explanation if there is one. The report shows FLIP on
 /// a separate line.
-Words in_short(const compare::Comparison& judgement) {
-    Words lines = judgement.lines;
+Words summary_lines(const compare::Comparison& comparison) {
+    Words lines = comparison.lines;
     lines.resize(std::min<std::size_t>(lines.size(), 2));
-    if (!judgement.explanation.empty() && judgement.explanation != compare::none_of_these)
-        lines.push_back("likely cause: " + judgement.explanation);
+    if (!comparison.explanation.empty() && comparison.explanation != compare::none_of_these)
+        lines.push_back("likely cause: " + comparison.explanation);
     return lines;
 }
 
@@ -102,20 +102,20 @@ PictureFinding no_picture(const std::string& reason) {
     return finding;
 }
 
-compare::Comparison judge_render(const fs::path& root, const std::string& step, const fs::path& folder) {
+compare::Comparison compare_render(const fs::path& root, const std::string& step, const fs::path& folder) {
     const fs::path references = root / "assets" / "reference";
     const std::string picture = step + ".hdr", variance = step + ".variance.hdr";
-    compare::ComparisonInput question{compare::read_encoded((folder / picture).string()),
-                                      compare::read_encoded((references / picture).string())};
-    question.step = std::atoi(step.c_str());
+    compare::ComparisonInput input{compare::read_encoded((folder / picture).string()),
+                                   compare::read_encoded((references / picture).string())};
+    input.step = std::atoi(step.c_str());
     if (fs::exists(references / variance))
-        question.variances = {read_image((folder / variance).string()),
-                              read_image((references / variance).string())};
-    return compare::compare_images(question);
+        input.variances = {read_image((folder / variance).string()),
+                           read_image((references / variance).string())};
+    return compare::compare_images(input);
 }
 
-PictureFinding judge_picture(const fs::path& root, const std::string& step, const fs::path& build,
-                             const fs::path& out, Samples samples) {
+PictureFinding render_and_compare(const fs::path& root, const std::string& step, const fs::path& build,
+                                  const fs::path& out, Samples samples) {
     const fs::path references = root / "assets" / "reference";
     const fs::path variance = references / (step + ".variance.hdr");
     Words command{(build / "bin" / step).string(), "--quiet", "--out", (out / step).string()};
@@ -125,7 +125,7 @@ PictureFinding judge_picture(const fs::path& root, const std::string& step, cons
     for (const std::string& word :
          with_samples(words_in(reference_fact(root, step, "test flags")), glimpse ? few_samples : ""))
         command.push_back(word);
-    const fs::path log = out / "said.txt";
+    const fs::path log = out / "log.txt";
     wait_for_program(command[0]);
     const ProcessResult result = run_process(command, {.log = log, .seconds = seconds_for_a_picture});
     if (result.timed_out)
@@ -135,15 +135,15 @@ PictureFinding judge_picture(const fs::path& root, const std::string& step, cons
     if (result.code != 0) return failed("the program reports: " + read_file(log.string()));
 
     PictureFinding finding;
-    finding.judgement = judge_render(root, step, out);
+    finding.comparison = compare_render(root, step, out);
     finding.complete = !glimpse;
-    finding.verdict = compare::name_of(finding.judgement->verdict);
-    finding.holds = compare::is_same(finding.judgement->verdict);
-    finding.lines = in_short(*finding.judgement);
+    finding.verdict = compare::name_of(finding.comparison->verdict);
+    finding.holds = compare::is_same(finding.comparison->verdict);
+    finding.lines = summary_lines(*finding.comparison);
     finding.mine = out / (step + ".png");
     finding.reference = references / (step + ".png");
     finding.map = out / (step + ".map.png");
-    write_image(finding.map.string(), compare::error_map(*finding.judgement));
+    write_image(finding.map.string(), compare::error_map(*finding.comparison));
     finding.settings =
         reference_fact(root, step, "width") + " x " + reference_fact(root, step, "height") + ", " +
         (reference_fact(root, step, "test flags").empty() ? "the program's default settings"
@@ -157,7 +157,7 @@ Words similar_mistakes(const fs::path& root, const std::string& step, const fs::
     Words command{(build / "bin" / step).string(), "--quiet", "--out", picture.string()};
     for (const std::string& word : gallery_flags(root, step)) command.push_back(word);
     const ProcessResult result =
-        run_process(command, {.log = out / "said.txt", .seconds = seconds_for_a_picture});
+        run_process(command, {.log = out / "log.txt", .seconds = seconds_for_a_picture});
     return result.code == 0 ? nearest_mistake(root, step, picture).names : Words();
 }
 

@@ -29,25 +29,25 @@ struct PictureFinding {
     std::string verdict;  ///< same, noise, look, different; or none, failed
     std::string reason;   ///< why there is no picture, or why rendering failed
     Words lines;          ///< text for the learner
-    std::optional<compare::Comparison> judgement;
+    std::optional<compare::Comparison> comparison;
     std::filesystem::path mine, reference, map; ///< PNG files
     std::string settings;
 };
 
 /// Compares STEP.hdr in `folder` with the step's reference, using STEP.variance.hdr if the step is
 /// noisy. Throws Error.
-compare::Comparison judge_render(const std::filesystem::path& root, const std::string& step,
-                                 const std::filesystem::path& folder);
+compare::Comparison compare_render(const std::filesystem::path& root, const std::string& step,
+                                   const std::filesystem::path& folder);
 
 /// How many samples to render. Few samples give a noisy preview much sooner; since its noise is known, it
 /// still reveals most mistakes.
 enum class Samples { few, all };
 
-/// Renders into `out` with the flags that the reference was made for, and compares with the reference. If the
-/// program crashes, hangs or fails, the finding says so. Throws Error if there is no reference.
-PictureFinding judge_picture(const std::filesystem::path& root, const std::string& step,
-                             const std::filesystem::path& build, const std::filesystem::path& out,
-                             Samples samples);
+/// Renders into `out` with the step's test flags, and compares with the reference. If the program crashes,
+/// hangs or fails, the finding says so. Throws Error if there is no reference.
+PictureFinding render_and_compare(const std::filesystem::path& root, const std::string& step,
+                                  const std::filesystem::path& build, const std::filesystem::path& out,
+                                  Samples samples);
 
 /// Returns the ids of the known mistakes that produce the same picture as the program.
 Words similar_mistakes(const std::filesystem::path& root, const std::string& step,

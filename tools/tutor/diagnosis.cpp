@@ -16,7 +16,7 @@ namespace rt::tutor {
 namespace {
 
 const std::string not_ended = "(the check did not end)"; // signatures.txt contains this text
-constexpr std::size_t longest_values = 100;
+constexpr std::size_t max_values_length = 100;
 
 bool is_word(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
@@ -89,7 +89,7 @@ bool has_failed(const CheckResult& result) {
     return result.state != CheckState::ok && result.state != CheckState::skipped;
 }
 
-std::string rounded(std::string_view values) {
+std::string round_numbers(std::string_view values) {
     std::string out;
     for (std::size_t i = 0; i < values.size();) {
         const std::size_t end = end_of_number(values, i);
@@ -104,7 +104,7 @@ std::string rounded(std::string_view values) {
     }
     for (std::size_t at; (at = out.find("-nan")) != std::string::npos;)
         out.erase(at, 1); // the sign of a NaN is random
-    return out.substr(0, longest_values);
+    return out.substr(0, max_values_length);
 }
 
 Signature signature_of(const std::string& id, const std::vector<CheckResult>& results) {
@@ -114,7 +114,7 @@ Signature signature_of(const std::string& id, const std::vector<CheckResult>& re
             return assertion.check == check && assertion.expression == expression;
         });
         if (same == signature.assertions.end())
-            signature.assertions.push_back({check, expression, rounded(values), 1});
+            signature.assertions.push_back({check, expression, round_numbers(values), 1});
         else
             ++same->times;
     };
@@ -177,7 +177,7 @@ std::vector<Signature> read_signatures(const std::filesystem::path& root, const 
     return parse_signatures(read_file(path.string()), "exercises/" + step + "/signatures.txt");
 }
 
-std::vector<SignatureMatch> ranked(const std::vector<Signature>& known, const Signature& seen) {
+std::vector<SignatureMatch> rank_signatures(const std::vector<Signature>& known, const Signature& seen) {
     const Sets here(seen);
     std::vector<SignatureMatch> matches;
     for (const Signature& signature : known) {
@@ -200,7 +200,7 @@ Diagnosis diagnose(const std::vector<Signature>& known, const std::vector<std::v
         if (diagnosis.first.name.empty()) diagnosis.first = *failed;
         const auto endless = std::ranges::find(results, CheckState::endless, &CheckResult::state);
         if (endless != results.end() && !diagnosis.endless) diagnosis.endless = *endless;
-        const std::vector<SignatureMatch> matches = ranked(known, signature_of("", results));
+        const std::vector<SignatureMatch> matches = rank_signatures(known, signature_of("", results));
         if (matches.empty() || matches[0].score <= best + 1e-9) continue;
         best = matches[0].score;
         diagnosis.ids.clear();
@@ -227,7 +227,7 @@ std::string name_of(Confidence confidence) {
 
 namespace {
 
-std::string words_on_endless(const Diagnosis& diagnosis) {
+std::string endless_text(const Diagnosis& diagnosis) {
     std::string out = "A check does not finish, so the other results say little:\n  " +
                       diagnosis.endless->name + "\n  Look for an endless loop or recursion";
     for (std::size_t i = 0; i < diagnosis.suspects.size(); ++i)
@@ -239,7 +239,7 @@ std::string words_on_endless(const Diagnosis& diagnosis) {
 
 std::string explanation(const Diagnosis& diagnosis, const std::vector<Mistake>& catalogue) {
     if (diagnosis.first.name.empty()) return "";
-    if (diagnosis.endless) return words_on_endless(diagnosis);
+    if (diagnosis.endless) return endless_text(diagnosis);
     std::string out;
     if (diagnosis.ids.size() > 1) out += "One of these; the checks cannot tell them apart:\n";
     for (const std::string& id : diagnosis.ids) {

@@ -52,7 +52,7 @@ struct Signature {
 };
 
 /// Returns the text with its numbers rounded to four significant digits, cut off after 100 characters.
-std::string rounded(std::string_view values);
+std::string round_numbers(std::string_view values);
 
 /// Builds the signature of the results of one file of checks.
 Signature signature_of(const std::string& id, const std::vector<CheckResult>& results);
@@ -72,7 +72,7 @@ struct SignatureMatch {
 };
 
 /// Returns all known mistakes, best match first.
-std::vector<SignatureMatch> ranked(const std::vector<Signature>& known, const Signature& seen);
+std::vector<SignatureMatch> rank_signatures(const std::vector<Signature>& known, const Signature& seen);
 
 enum class Confidence { none, perhaps, likely, certain };
 

@@ -89,14 +89,14 @@ Words named_headers(const std::string& text) {
     return headers;
 }
 
-void visit(const std::vector<fs::path>& folders, const std::string& header, std::set<std::string>& met,
+void visit(const std::vector<fs::path>& folders, const std::string& header, std::set<std::string>& visited,
            Words& order) {
-    if (!met.insert(header).second) return;
+    if (!visited.insert(header).second) return;
     std::error_code ignored;
     for (const fs::path& folder : folders) {
         if (!fs::is_regular_file(folder / header, ignored)) continue;
         for (const std::string& next : named_headers(read_file((folder / header).string())))
-            visit(folders, next, met, order);
+            visit(folders, next, visited, order);
         break;
     }
     order.push_back(header);
@@ -107,9 +107,9 @@ Words headers_in_order(const fs::path& steps, const std::string& step) {
     Words headers, order;
     for (const fs::path& entry : entries_of(steps / step))
         if (entry.extension() == ".h") headers.push_back(entry.filename().string());
-    std::set<std::string> met;
+    std::set<std::string> visited;
     Words all;
-    for (const std::string& header : headers) visit({steps}, step + "/" + header, met, all);
+    for (const std::string& header : headers) visit({steps}, step + "/" + header, visited, all);
     for (const std::string& header : all)
         if (header.starts_with(step + "/")) order.push_back(header.substr(step.size() + 1));
     return order;
@@ -121,11 +121,11 @@ void name_exercises(std::vector<Exercise>& exercises) {
         functions; // name -> the places where functions of that name begin
     for (const Exercise& e : exercises)
         functions[e.function].insert(e.file + ":" + std::to_string(e.function_line));
-    std::map<std::string, int> met;
+    std::map<std::string, int> uses;
     for (Exercise& e : exercises) {
         e.name = e.function;
         if (functions[e.function].size() > 1) e.name += "_" + fs::path(e.file).stem().string();
-        const int count = ++met[e.name];
+        const int count = ++uses[e.name];
         if (count > 1) e.name += "_" + std::to_string(count);
     }
 }
@@ -205,7 +205,7 @@ std::string without_markers(const std::string& text) {
     return clean;
 }
 
-int place_of(const Exercise& exercise, const std::string& text) {
+int line_of(const Exercise& exercise, const std::string& text) {
     const Words lines = lines_of(text);
     int function = 0, number = 0;
     for (const std::string& line : lines) {
@@ -221,7 +221,7 @@ bool is_untouched(const Exercise& exercise, const std::string& text, const std::
     std::set<std::string> functions;
     for (std::size_t line = 1; line <= lines.size(); ++line)
         if (function_name(lines[line - 1]) == exercise.function) functions.insert(bare_function(lines, line));
-    const std::size_t task = std::size_t(place_of(exercise, stub));
+    const std::size_t task = std::size_t(line_of(exercise, stub));
     for (std::size_t line = std::min(task, stub_lines.size()); line > 0; --line)
         if (function_name(stub_lines[line - 1]) == exercise.function)
             return functions.contains(bare_function(stub_lines, line));
@@ -241,9 +241,9 @@ bool may_not_end(const Exercise& exercise, const std::string& text) {
 }
 
 Words included_headers(const std::vector<fs::path>& folders, const std::string& header) {
-    std::set<std::string> met;
+    std::set<std::string> visited;
     Words order;
-    visit(folders, header, met, order);
+    visit(folders, header, visited, order);
     return order;
 }
 

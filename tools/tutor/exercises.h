@@ -43,7 +43,7 @@ std::string make_stub(const std::string& text, const std::vector<Exercise>& exer
 std::string without_markers(const std::string& text);
 
 /// Returns the line of an exercise in a learner's file: that of its TODO, else of its function, else 1.
-int place_of(const Exercise& exercise, const std::string& text);
+int line_of(const Exercise& exercise, const std::string& text);
 
 /// Returns whether the exercise's function is still the same as in the stub, ignoring
 /// whitespace and comments.

@@ -128,15 +128,15 @@ void write_stubs(const Project& project, const std::string& step, const Contents
 void list_tasks(const Project& project, const std::vector<Exercise>& exercises, std::ostream& out) {
     for (const Exercise& exercise : exercises) {
         const fs::path path = project.workshop / exercise.step / exercise.file;
-        out << "  " << display_path(path, place_of(exercise, read_file(path.string()))) << "  "
+        out << "  " << display_path(path, line_of(exercise, read_file(path.string()))) << "  "
             << exercise.name << "\n"
             << "      " << exercise.task << "\n";
     }
 }
 
 /// Lists the learner's files of earlier steps that the step's files include.
-void name_foundations(const Project& project, const std::string& step, const std::vector<Exercise>& exercises,
-                      std::ostream& out) {
+void list_dependencies(const Project& project, const std::string& step,
+                       const std::vector<Exercise>& exercises, std::ostream& out) {
     Words own;
     std::error_code ignored;
     for (const std::string& file : files_to_write(exercises))
@@ -168,7 +168,7 @@ void start_step(const Project& project, const std::string& step, std::ostream& o
     out << "\nWrite " << exercises.size() << " functions. This is a good order:\n";
     list_tasks(project, exercises, out);
     out << "\n";
-    name_foundations(project, step, exercises, out);
+    list_dependencies(project, step, exercises, out);
     out << "Read:      " << what_to_read(project, step) << "\n"
         << "Check:     ./learn check " << number << "\n"
         << "Get help:  ./learn hint " << number << " " << exercises.front().name << "\n";
@@ -185,7 +185,7 @@ std::string time_stamp() {
 }
 
 /// Returns a path in the backup folder that does not exist yet.
-fs::path free_place(const fs::path& folder, const std::string& file) {
+fs::path unused_path(const fs::path& folder, const std::string& file) {
     const fs::path first = folder / (file + "." + time_stamp());
     fs::path place = first;
     std::error_code ignored;
@@ -208,10 +208,10 @@ std::string quoted(const fs::path& path) {
     return word + "'";
 }
 
-void put_aside(const Project& project, const std::string& step, const std::string& file, std::ostream& out) {
+void back_up(const Project& project, const std::string& step, const std::string& file, std::ostream& out) {
     const fs::path folder = project.workshop / ".backup" / step;
     make_folder(folder);
-    const fs::path from = project.workshop / step / file, to = free_place(folder, file);
+    const fs::path from = project.workshop / step / file, to = unused_path(folder, file);
     std::error_code failure;
     fs::rename(from, to, failure);
     if (failure)
@@ -226,7 +226,7 @@ void put_aside(const Project& project, const std::string& step, const std::strin
 void undo_files(const Project& project, const std::string& step, const std::string& file, std::ostream& out) {
     Words files = own_files(project, step);
     if (!file.empty() || files.empty()) files = {find_own_file(project, step, file)};
-    for (const std::string& each : files) put_aside(project, step, each, out);
+    for (const std::string& each : files) back_up(project, step, each, out);
     out << "the reference is used again; ./learn start " << number_of(step) << " creates a new stub\n";
 }
 

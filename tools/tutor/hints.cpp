@@ -56,7 +56,7 @@ Hints read_hints(const std::filesystem::path& root, const std::string& step,
     for (const auto& [name, texts] : hints) {
         if (std::ranges::find(exercises, name, &Exercise::name) == exercises.end())
             throw Error(path + ": there are hints for " + name + ", which is not an exercise of " + step);
-        if (texts.size() != tiers)
+        if (texts.size() != hint_count)
             throw Error(path + ": " + std::to_string(texts.size()) + " hints for " + name +
                         "; there must be three");
     }
@@ -72,7 +72,7 @@ std::string key_of(const Exercise& exercise) {
 /// Returns how many hints of the exercise have been shown.
 std::size_t count_shown(const ShownHints& shown_hints, const Exercise& exercise) {
     const auto found = shown_hints.find(key_of(exercise));
-    return found == shown_hints.end() ? 0 : std::min(std::size_t(found->second), tiers);
+    return found == shown_hints.end() ? 0 : std::min(std::size_t(found->second), hint_count);
 }
 
 /// Prints a text in lines of at most 90 characters.
@@ -96,13 +96,13 @@ void print_place(const Project& project, const Exercise& exercise, std::ostream&
     const auto path = project.workshop / exercise.step / exercise.file;
     out << exercise.name;
     if (std::filesystem::exists(path, ignored))
-        out << " in " << display_path(path, place_of(exercise, read_file(path.string())));
+        out << " in " << display_path(path, line_of(exercise, read_file(path.string())));
     out << "\ntask: " << exercise.task << "\n";
 }
 
 void print_next_step(const Exercise& exercise, std::size_t count, std::ostream& out) {
     const std::string number = number_of(exercise.step);
-    if (count < tiers)
+    if (count < hint_count)
         out << "\nNext hint: ./learn hint " << number << " " << exercise.name << "\n";
     else
         out << "\nThere are no more hints. ./learn diff " << number << " " << exercise.file
@@ -114,8 +114,8 @@ void list_exercises(const std::string& step, const std::vector<Exercise>& exerci
     const std::string number = number_of(step);
     out << "The functions of " << step << ", and how many of their hints you have seen:\n";
     for (const Exercise& exercise : exercises)
-        out << "  " << count_shown(shown_hints, exercise) << " of " << tiers << "  " << exercise.name << " ("
-            << exercise.file << "): " << exercise.task << "\n";
+        out << "  " << count_shown(shown_hints, exercise) << " of " << hint_count << "  " << exercise.name
+            << " (" << exercise.file << "): " << exercise.task << "\n";
     out << "\nnext: ./learn hint " << number << " " << exercises.front().name << "\n";
 }
 
@@ -126,15 +126,15 @@ struct Range {
 
 /// Returns which hints to show if `before` of them have been shown. After the last hint, it is shown again.
 Range range_of(HintMode mode, std::size_t before) {
-    if (mode == HintMode::all) return {0, tiers};
+    if (mode == HintMode::all) return {0, hint_count};
     const std::size_t last =
-        mode == HintMode::again ? std::max<std::size_t>(before, 1) : std::min(before + 1, tiers);
+        mode == HintMode::again ? std::max<std::size_t>(before, 1) : std::min(before + 1, hint_count);
     return {last - 1, last};
 }
 
-void print_tiers(const Words& texts, const Range& range, std::ostream& out) {
+void print_texts(const Words& texts, const Range& range, std::ostream& out) {
     for (std::size_t tier = range.first; tier < range.last; ++tier) {
-        out << "\nHint " << tier + 1 << " of " << tiers << "\n";
+        out << "\nHint " << tier + 1 << " of " << hint_count << "\n";
         print_wrapped(texts[tier], out);
     }
 }
@@ -163,7 +163,7 @@ void show_hints(const Project& project, const std::string& step, const std::stri
     const std::size_t before = count_shown(shown_hints, exercise);
     const Range range = range_of(mode, before);
     print_place(project, exercise, out);
-    print_tiers(hints.at(name), range, out);
+    print_texts(hints.at(name), range, out);
     const std::size_t now = std::max(before, range.last);
     print_next_step(exercise, now, out);
     if (now == before) return;

@@ -13,7 +13,7 @@ namespace rt::tutor {
 /// Maps the name of an exercise to its hints, each a single line.
 using Hints = std::map<std::string, Words>;
 
-inline constexpr std::size_t tiers = 3;
+inline constexpr std::size_t hint_count = 3;
 
 /// Parses a file of hints: `## name` begins an exercise, `1. ` a hint, and indented lines continue it. Throws
 /// Error, which names the file and the line, for anything else.

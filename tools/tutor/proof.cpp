@@ -73,7 +73,7 @@ std::string step_of(const std::string& source) {
 
 Dependencies dependencies(const Toolchain& tools, const Change& change, const std::string& source) {
     Dependencies all;
-    all.hash.add(tools.fixed);
+    all.hash.add(tools.fingerprint);
     all.hash.add(optimisation(step_of(source)));
     add_file(tools, change, source, all);
     return all;
@@ -183,7 +183,7 @@ void precompile(const Toolchain& tools, const std::string& header, const std::st
     const fs::path prefix = prefix_of(tools, header, level), made = prefix.string() + ".gch",
                    stamp = prefix.parent_path() / "prefix.key";
     Dependencies all;
-    all.hash.add(tools.fixed);
+    all.hash.add(tools.fingerprint);
     add_file(tools, {}, header, all);
     if (fs::exists(made) && fs::exists(stamp) && read_file(stamp.string()) == all.hash.text()) return;
     fs::create_directories(prefix.parent_path());
@@ -204,7 +204,7 @@ Toolchain read_toolchain(const fs::path& root, const fs::path& build) {
                     .flags = {},
                     .test_main = {},
                     .libraries = {},
-                    .fixed = {}};
+                    .fingerprint = {}};
     const fs::path path = build / "prove" / "toolchain.txt";
     if (!fs::exists(path))
         throw Error(path.string() + " does not exist; configure the build first (./learn test 03)");
@@ -224,7 +224,7 @@ Toolchain read_toolchain(const fs::path& root, const fs::path& build) {
     for (const std::string& object : objects)
         if (!fs::exists(object)) throw Error(object + " is not built; ./learn prove builds it");
     hash.add(read_file((root / "tests/main.cpp").string()));
-    tools.fixed = hash.text();
+    tools.fingerprint = hash.text();
     fs::create_directories(tools.work / "cache");
     return tools;
 }
@@ -241,7 +241,7 @@ std::string proof_key(const Toolchain& tools, const std::string& step) {
     return all.hash.text();
 }
 
-void prepare(const Toolchain& tools, const std::string& step) {
+void precompile_headers(const Toolchain& tools, const std::string& step) {
     const BuildLock alone(tools.work);
     precompile(tools, "tests/pch.h", optimisation(step));
     precompile(tools, "common/pch.h", part_level);

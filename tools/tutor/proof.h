@@ -18,9 +18,9 @@ struct Toolchain {
     std::filesystem::path work; ///< the folder for all output
     std::string compiler;
     Words flags;
-    std::string test_main; ///< the object file of doctest's main function
-    Words libraries;       ///< the common library and its dependencies
-    std::string fixed;     ///< a hash of all fields above
+    std::string test_main;   ///< the object file of doctest's main function
+    Words libraries;         ///< the common library and its dependencies
+    std::string fingerprint; ///< a hash of all fields above
 };
 
 /// Reads toolchain.txt. Throws Error if it does not exist.
@@ -45,7 +45,7 @@ struct Outcome {
 std::string proof_key(const Toolchain& tools, const std::string& step);
 
 /// Precompiles the headers for the checks of the step and for its program. Throws Error.
-void prepare(const Toolchain& tools, const std::string& step);
+void precompile_headers(const Toolchain& tools, const std::string& step);
 
 /// Returns the outcome of the first file of the step's checks in which something fails, or of all files. The
 /// files of the changed headers come first, slow statistics last. Throws Error if the tools do not work.

@@ -1,5 +1,5 @@
-// prove: shows that the checks work. Every stub must fail, and every mistake must fail in a way
-// that identifies it.
+// prove: shows that the checks work.
+// Every stub must fail, and every mistake must fail in a way that identifies it.
 #include "tools/compare/comparison.h"
 #include "common/util/report_error.h"
 #include "common/util/cores.h"
@@ -121,7 +121,7 @@ bool differ(const fs::path& right, const fs::path& wrong) {
 
 /// Returns the signature without every third assertion: another learner's version of the mistake
 /// may pass them.
-Signature thinned(const Signature& signature) {
+Signature without_every_third(const Signature& signature) {
     Signature thin{signature.id, {}};
     for (std::size_t i = 0; i < signature.assertions.size(); ++i)
         if (i % 3 != 1) thin.assertions.push_back(signature.assertions[i]);
@@ -131,7 +131,7 @@ Signature thinned(const Signature& signature) {
 /// Returns the mistakes whose signatures fit best; several if they fit equally well.
 Words best_matches(const std::vector<Signature>& known, const Signature& seen) {
     Words ids;
-    const std::vector<SignatureMatch> matches = ranked(known, seen);
+    const std::vector<SignatureMatch> matches = rank_signatures(known, seen);
     for (const SignatureMatch& match : matches)
         if (match.score > matches[0].score - 1e-9) ids.push_back(match.id);
     return ids;
@@ -174,7 +174,7 @@ void judge_name(const Trial& trial, const std::vector<Signature>& known, Count& 
     const bool named = contains(best, seen.id);
     count.named_in_group += named;
     count.named_first += named && best.size() == 1;
-    count.still_first += best_matches(known, thinned(seen)) == Words{seen.id};
+    count.still_first += best_matches(known, without_every_third(seen)) == Words{seen.id};
     if (!named)
         proof.complaints.push_back(seen.id + " is mistaken for " + joined(best, " ") +
                                    " (./learn prove --write updates the signatures)");
@@ -281,7 +281,7 @@ std::vector<StepProof> plan_all(const Toolchain& tools, const ProveOptions& opti
     for (const std::string& step :
          options.step.empty() ? all_steps(project) : Words{find_step(project, options.step)}) {
         if (options.changed && noted[step] == proof_key(tools, step)) continue;
-        prepare(tools, step);
+        precompile_headers(tools, step);
         proofs.push_back(plan(tools.root, step));
     }
     return proofs;
@@ -347,8 +347,8 @@ int main(int argc, char** argv) {
     try {
         app.parse(argc, argv);
         return rt::tutor::prove(options) ? 0 : 1;
-    } catch (const CLI::ParseError& said) {
-        return app.exit(said) == 0 ? 0 : 2;
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : 2;
     } catch (const std::exception& problem) {
         return rt::report_error("prove", problem.what());
     }

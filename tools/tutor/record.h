@@ -1,6 +1,6 @@
-// Records of what was proved or run, kept in the repository: a hash of everything that each
-// result depends on.
-// A record changes only if a hash does, and a hash changes only if code, a command or an output does.
+// Records of what was proved or run: for each result, a hash of everything that it depends on.
+// They are kept in the repository. A record changes only if a hash does, and a hash changes only if code, a
+// command or an output does.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,4 @@
-// ./learn run, references and figures: renders steps, compares with the references, or
-// renders new references.
+// ./learn run, references and figures: renders steps and compares them, or renders references and figures.
 #include "common/util/report_error.h"
 #include "common/util/error.h"
 #include "common/util/file_bytes.h"
@@ -51,9 +50,10 @@ void compare(const Project& project, Row& row) {
     row.verdict = "no reference";
     if (!fs::exists(project.root / "assets/reference" / (row.step + ".hdr"), ignored)) return;
     try {
-        const compare::Comparison judgement = judge_render(project.root, row.step, project.root / "renders");
-        row.verdict = compare::is_same(judgement.verdict) ? "matches" : "DIFFERS";
-        row.remark = joined(judgement.lines, "\n    ");
+        const compare::Comparison comparison =
+            compare_render(project.root, row.step, project.root / "renders");
+        row.verdict = compare::is_same(comparison.verdict) ? "matches" : "DIFFERS";
+        row.remark = joined(comparison.lines, "\n    ");
     } catch (const Error& error) {
         row.verdict = "ERROR";
         row.remark = error.what();

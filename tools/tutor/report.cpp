@@ -64,7 +64,7 @@ void embed_mistake(Json& mistake) {
 
 } // namespace
 
-std::string embedded(const Json& value) {
+std::string script_safe_json(const Json& value) {
     std::string out;
     for (const char c : rt::json::text(value)) {
         char escape[8];
@@ -95,7 +95,7 @@ std::string report_html(const std::filesystem::path& root, Json report) {
                     " must occur in it exactly once, where the data goes");
     embed_pictures(report["pictures"]);
     embed_mistake(report["mistake"]);
-    return page.replace(at, place.size(), embedded(report));
+    return page.replace(at, place.size(), script_safe_json(report));
 }
 
 } // namespace rt::tutor

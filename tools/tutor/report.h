@@ -11,7 +11,7 @@ namespace rt::tutor {
 
 /// Returns JSON that is safe inside a <script> element: <, >, & and control characters are escaped, so that
 /// no text can end the element.
-std::string embedded(const Json& value);
+std::string script_safe_json(const Json& value);
 
 /// Encodes bytes as Base64 with padding (RFC 4648, section 4).
 std::string base64(std::string_view bytes);

@@ -38,7 +38,7 @@ void count_exercises(const Project& project, StepStatus& status) {
         if (!is_untouched(exercise, text, make_stub(reference, find_exercises(reference, path.string()))))
             ++status.begun;
         else if (status.to_write.empty())
-            status.to_write = exercise.name + " in " + display_path(path, place_of(exercise, text));
+            status.to_write = exercise.name + " in " + display_path(path, line_of(exercise, text));
     }
 }
 
@@ -66,7 +66,7 @@ std::string verdict_words(const std::string& verdict) {
     return "the picture was not compared";
 }
 
-std::string words(const StepStatus& s) {
+std::string status_text(const StepStatus& s) {
     if (!s.has_files) return "not started";
     std::string text = std::to_string(s.begun) + " of " + std::to_string(s.exercises) + " functions started";
     if (s.exercises == 0) text = "started";
@@ -80,7 +80,7 @@ std::string words(const StepStatus& s) {
 
 /// Returns what to do next: first finish a step that was started, then start the one after the last
 /// that is done.
-std::string advice(const std::vector<StepStatus>& all) {
+std::string next_action(const std::vector<StepStatus>& all) {
     const auto number = [](const StepStatus& s) { return number_of(s.step); };
     const auto begun = [](const StepStatus& s) { return s.has_files && !s.done(); };
     const auto open = std::ranges::find_if(all, begun);
@@ -103,8 +103,8 @@ void show_status(const Project& project, std::ostream& out) {
     const std::vector<StepStatus> all = all_statuses(project);
     for (const StepStatus& status : all)
         out << (status.has_files && status.done() ? "done  " : "      ") << std::left << std::setw(16)
-            << status.step << words(status) << "\n";
-    out << "\nnext: " << advice(all) << "\n";
+            << status.step << status_text(status) << "\n";
+    out << "\nnext: " << next_action(all) << "\n";
 }
 
 } // namespace rt::tutor

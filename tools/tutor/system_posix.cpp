@@ -39,7 +39,7 @@ std::vector<char*> pointers_to(Words& words) {
     return pointers;
 }
 
-void limit(int resource, rlim_t value) {
+void set_limit(int resource, rlim_t value) {
     const rlimit both{value, value};
     setrlimit(decltype(RLIMIT_CPU)(resource), &both);
 }
@@ -52,9 +52,9 @@ void limit(int resource, rlim_t value) {
     const bool ready = dup2(nothing, 0) == 0 && (!*log || (dup2(file, 1) == 1 && dup2(file, 2) == 2)) &&
                        (out < 0 || dup2(out, 1) == 1);
     if (!ready) _exit(could_not_start);
-    limit(RLIMIT_CORE, 0);
-    if (options.cpu_seconds > 0) limit(RLIMIT_CPU, rlim_t(options.cpu_seconds));
-    if (options.memory > 0) limit(RLIMIT_AS, rlim_t(options.memory));
+    set_limit(RLIMIT_CORE, 0);
+    if (options.cpu_seconds > 0) set_limit(RLIMIT_CPU, rlim_t(options.cpu_seconds));
+    if (options.memory > 0) set_limit(RLIMIT_AS, rlim_t(options.memory));
     alarm(unsigned(options.seconds));
     for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_DFL);
     execvp(arguments[0], arguments);
@@ -176,7 +176,7 @@ void restore_terminal() {
 }
 
 /// Restores the terminal, then lets the signal end the program.
-extern "C" void end_by(int signal) {
+extern "C" void end_with_signal(int signal) {
     restore_terminal();
     std::signal(signal, SIG_DFL);
     std::raise(signal);
@@ -194,7 +194,7 @@ extern "C" void resume(int) {
 }
 
 /// Installs a handler, unless the parent process has set the signal to ignored, as nohup does.
-void handle(int signal, void (*handler)(int)) {
+void install_handler(int signal, void (*handler)(int)) {
     if (std::signal(signal, handler) == SIG_IGN) std::signal(signal, SIG_IGN);
 }
 
@@ -204,9 +204,9 @@ Keys::Keys() {
     if (isatty(0) != 1 || tcgetattr(0, &terminal_before) != 0) return;
     terminal_now = terminal_before;
     terminal_now.c_lflag &= ~tcflag_t(ICANON | ECHO);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) handle(signal, end_by);
-    handle(SIGTSTP, suspend);
-    handle(SIGCONT, resume);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) install_handler(signal, end_with_signal);
+    install_handler(SIGTSTP, suspend);
+    install_handler(SIGCONT, resume);
     changed = tcsetattr(0, TCSANOW, &terminal_now) == 0;
 }
 

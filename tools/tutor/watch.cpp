@@ -1,5 +1,5 @@
-// ./learn watch: polls the learner's files five times per second, which is cheap and works on
-// every file system.
+// ./learn watch: checks a step again at each save.
+// Polls the learner's files five times per second, which is cheap and works on every file system.
 #include "tools/tutor/commands.h"
 
 #include "common/util/report_error.h"

@@ -146,7 +146,7 @@ std::vector<Item> items_of(const std::string& text) {
     return items;
 }
 
-bool is_meant(const Item& item, const std::string& name) {
+bool matches(const Item& item, const std::string& name) {
     const std::size_t parameters = name.find('(');
     if (declared(item.head) != name.substr(0, parameters)) return false;
     return parameters == std::string::npos || item.head.find(name) != std::string::npos;
@@ -157,7 +157,7 @@ bool is_meant(const Item& item, const std::string& name) {
 std::string region(const std::string& text, const std::string& name, const std::string& path) {
     std::vector<Item> found;
     for (const Item& item : items_of(text))
-        if (is_meant(item, name)) found.push_back(item);
+        if (matches(item, name)) found.push_back(item);
     std::vector<Item> defined;
     for (const Item& item : found)
         if (item.has_body) defined.push_back(item);
