@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# How long a learner waits: from saving a file to the verdict of its checks, and to that of the picture (a glimpse of it
+# How long a learner waits: from saving a file to the verdict of its checks, and to that of the picture (a preview of it
 # where it is a noisy one). loop.sh ROOT BUILD [JSON]: saves each file with exercises anew and lets ./learn check run.
 set -u
 

@@ -121,9 +121,9 @@ PictureFinding render_and_compare(const fs::path& root, const std::string& step,
     Words command{(build / "bin" / step).string(), "--quiet", "--out", (out / step).string()};
     if (fs::exists(variance))
         command.insert(command.end(), {"--variance", (out / (step + ".variance.hdr")).string()});
-    const bool glimpse = samples == Samples::few && fs::exists(variance);
+    const bool preview = samples == Samples::few && fs::exists(variance);
     for (const std::string& word :
-         with_samples(words_in(reference_fact(root, step, "test flags")), glimpse ? few_samples : ""))
+         with_samples(words_in(reference_fact(root, step, "test flags")), preview ? few_samples : ""))
         command.push_back(word);
     const fs::path log = out / "log.txt";
     wait_for_program(command[0]);
@@ -136,7 +136,7 @@ PictureFinding render_and_compare(const fs::path& root, const std::string& step,
 
     PictureFinding finding;
     finding.comparison = compare_render(root, step, out);
-    finding.complete = !glimpse;
+    finding.complete = !preview;
     finding.verdict = compare::name_of(finding.comparison->verdict);
     finding.holds = compare::is_same(finding.comparison->verdict);
     finding.lines = summary_lines(*finding.comparison);
