@@ -98,37 +98,38 @@ TEST_CASE("Overloaded functions are distinguished by their parameters") {
     CHECK(region(source, "meet(const Shapes", "")
               .starts_with("/// The other one.\ninline int meet(const Shapes&"));
     CHECK(region(source, "meet(const Shape&", "").starts_with("inline int meet(const Shape& shape"));
-    CHECK(complaint_of("meet").starts_with("steps/x.h: declares meet 2 times"));
+    CHECK(complaint_of("meet").starts_with("steps/x.h: there are 2 declarations of meet"));
 }
 
 TEST_CASE("A name that no longer exists is an error even if it is still used") {
-    CHECK(complaint_of("shape") == "steps/x.h: declares no shape");
-    CHECK(complaint_of("vector") == "steps/x.h: declares no vector");
-    CHECK(complaint_of("number") == "steps/x.h: declares no number");
+    CHECK(complaint_of("shape") == "steps/x.h: there is no declaration of shape");
+    CHECK(complaint_of("vector") == "steps/x.h: there is no declaration of vector");
+    CHECK(complaint_of("number") == "steps/x.h: there is no declaration of number");
 }
 
 TEST_CASE("A marker without an end, a stray end and an unknown kind are errors with their line") {
     CHECK(complaint_in({"", "<!-- listing: a.h -->", "x"}) == "docs/x.md:2: this marker has no <!-- end -->");
-    CHECK(complaint_in({"<!-- end -->"}) == "docs/x.md:1: an end without a marker before it");
+    CHECK(complaint_in({"<!-- end -->"}) == "docs/x.md:1: this <!-- end --> has no marker before it");
     CHECK(complaint_in({"<!-- lsting: a.h -->", "<!-- end -->"})
-              .starts_with("docs/x.md:1: \"lsting\" is none of"));
+              .starts_with("docs/x.md:1: \"lsting\" is not one of"));
     CHECK(complaint_in({"<!-- diff: a b -->", "<!-- diff: a b -->"})
-              .starts_with("docs/x.md:2: a marker before"));
+              .starts_with("docs/x.md:2: this marker begins before"));
     CHECK(complaint_in({"<!-- diff: a b -->", "<!-- end -->", "<!-- a word -->"}) == "");
 }
 
 TEST_CASE("Truncated or damaged sources and pages cause an Error or nothing, but never another exception") {
     for (const char* text : {"alignas(", "requires(", "struct alignas(", "template<int>", "template",
                              "template <int>   ", "(", "};", "'"})
-        CHECK_MESSAGE(complaint([&] { region(text, "x", "steps/x.h"); }) == "steps/x.h: declares no x",
+        CHECK_MESSAGE(complaint([&] { region(text, "x", "steps/x.h"); }) ==
+                          "steps/x.h: there is no declaration of x",
                       std::string(text));
     for (const char* command :
          {"x # exit y", "x # exit ", "x # exit 99999999999", "x # exit -1", "x # exit 256"})
         CHECK_MESSAGE(complaint([&] {
                           find_commands({"```sh", command}, "docs/x.md");
-                      }) == "docs/x.md:2: after \"# exit \" stands no exit code",
+                      }) == "docs/x.md:2: \"# exit \" must be followed by an exit code",
                       std::string(command));
-    CHECK(complaint_in({"<!-- a: -->"}) == "docs/x.md:1: a marker names what belongs there");
+    CHECK(complaint_in({"<!-- a: -->"}) == "docs/x.md:1: this marker does not say what to insert");
     const TemporaryFolder folder;
     std::filesystem::create_directories(folder.path / "docs");
     const std::string far(5000, 'a');
@@ -217,7 +218,7 @@ TEST_CASE("Dead links, pictures, headings and paths are found with their lines")
         "```sh\n[f](f.md)\n```\n## Here\n`docs/b.md` `docs/c.md` [w](https://example.org)\n";
     const auto dead = dead_links(root, page, "docs/a.md");
     REQUIRE(dead.size() == 3);
-    CHECK(dead[0] == "docs/a.md:1: p.png is not there");
-    CHECK(dead[1] == "docs/a.md:2: b.md#gone is not there");
-    CHECK(dead[2] == "docs/a.md:7: `docs/c.md` is not there");
+    CHECK(dead[0] == "docs/a.md:1: p.png does not exist");
+    CHECK(dead[1] == "docs/a.md:2: b.md#gone does not exist");
+    CHECK(dead[2] == "docs/a.md:7: `docs/c.md` does not exist");
 }

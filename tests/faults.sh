@@ -93,7 +93,7 @@ short_files() { # with the size of all files limited, by `ulimit -f`
 }
 
 said_lost() {
-    [ "$code" = 2 ] && grep -q "File too large.*it is lost" err
+    [ "$code" = 2 ] && grep -q "File too large.*is lost" err
 }
 
 vanishing_folder() {

@@ -41,7 +41,7 @@ case $name in
     bench_report) echo report >"$1/report.md" || exit 2 ;;
     contact_sheet) write "$1" ;;
     test_*) printf 'case\ta\nend\ta\tok\t.1\n' ;;
-    trace_*) echo "brings back (1 1 1)" ;;
+    trace_*) echo "returns (1 1 1)" ;;
     compare) echo "same picture" ;;
     [0-9]*) printf '4 x 4, 1 samples a pixel, seed 1, 1 threads\ntime 1.00 s, 1 rays, 1.00 million rays a second\n' ;;
 esac
@@ -105,7 +105,7 @@ first "The commands of this script"
 first "" setup
 first "contact sheet: renders/contact_sheet.png" run
 first "renders/03_mirror.png" run 03
-first "agrees" run 08 --threads 2
+first "matches" run 08 --threads 2
 first "renders/05_mesh_bvh.png" run 05 --samples 4
 first "" test
 first "" test 03
@@ -119,7 +119,7 @@ first "" prove --step 03 --no-pictures
 first "" weave --check
 first "" figures 01
 first "look at every one of them" references 03
-first "brings back" trace 03 120 80
+first "returns" trace 03 120 80
 first "same picture" compare a.png b.png
 first "workshop/03_mirror/mirror.h" start 03
 first "Step 03: what does the mirror see?" check 03 --no-picture
@@ -127,7 +127,7 @@ first "picture   " check 08
 first "waiting for the next save" watch 03 --no-picture
 first "next: ./learn start 01" status
 first "Hint 1 of 3" hint 03 reflected_ray
-first "reference counts again" undo --help
+first "reference is used again" undo --help
 
 # By a link to the project, by a link to the script, and with CDPATH, which makes cd print.
 ln -s "$clone" "$folder/linked"
@@ -157,9 +157,9 @@ export SLOW=$folder/order
 wait
 awk 'NR % 2 ? $0 != "begin" : $0 != "end" { exit 1 }' "$SLOW" ||
     { echo "WRONG: two build simultaneously:" && cat "$SLOW" && bad=1; }
-grep -qs "another ./learn is building in this folder; waiting for it" "$folder"/said.[12] ||
+grep -qs "another ./learn is building in this folder; waiting until it is done" "$folder"/said.[12] ||
     { echo "WRONG: a waiting ./learn does not report it" && bad=1; }
-[ "$(grep -l -e 'renders/03_mirror.png' -e 'hold' "$folder"/said.[12] | wc -l)" = 2 ] ||
+[ "$(grep -l -e 'renders/03_mirror.png' -e 'checks pass' "$folder"/said.[12] | wc -l)" = 2 ] ||
     { echo "WRONG: one of two simultaneous builds fails" && cat "$folder"/said.[12] && bad=1; }
 (cd "$clone" && PATH=$stubs:$PATH exec ./learn run 03 >/dev/null 2>&1) &
 sleep 0.5
@@ -196,13 +196,13 @@ rm -rf "$clone/build"
 refuses "there is no step '99'" hint 99
 [ ! -e "$clone/build" ] || { echo "WRONG: a wrong argument builds something" && bad=1; }
 touch "$clone/build"
-refuses "is a file of that name there" run 03
-refuses "is a file of that name there" status
+refuses "is there a file of that name" run 03
+refuses "is there a file of that name" status
 rm "$clone/build"
 for name in 'C#' 'a;b' 'a"b' $'a\nb'; do
     mv "$clone" "$folder/$name"
     here=$folder/$name
-    refuses "CMake builds in no folder with" run 03
+    refuses "CMake cannot build in a folder with" run 03
     mv "$folder/$name" "$clone"
 done
 for name in "it's" "a & (b)" 'US$ 5'; do # which need no special treatment

@@ -15,18 +15,18 @@ fail() {
 # The middle row of the picture contains a mirror; its reflected ray is one level deeper.
 for ((x = 0; x < 640; x += 20)); do
     told=$(crop $x,200,$((x + 1)),201)
-    if grep -q 'Mirror' <<<"$told" && grep -q 'free' <<<"$told"; then break; fi
+    if grep -q 'Mirror' <<<"$told" && grep -q 'unoccluded' <<<"$told"; then break; fi
 done
-grep -q 'meets material [0-9]*, a Mirror' <<<"$told" || fail "no ray hits a mirror"
+grep -q 'hits material [0-9]*, a Mirror' <<<"$told" || fail "no ray hits a mirror"
 grep -q '^    ray from ' <<<"$told" || fail "no ray is reflected from it"
-grep -q '^    brings back (' <<<"$told" || fail "the reflected ray returns nothing"
-grep -q 'shadow ray from .*: free' <<<"$told" || fail "no shadow ray is free"
+grep -q '^    returns (' <<<"$told" || fail "the reflected ray returns nothing"
+grep -q 'shadow ray from .*: unoccluded' <<<"$told" || fail "no shadow ray is unoccluded"
 
 # The first of sixteen samples is traced unless another one is requested; there is no seventeenth.
-one=$(crop 320,240,321,241 | grep -c '^  brings back')
+one=$(crop 320,240,321,241 | grep -c '^  returns')
 [ "$one" = 1 ] || fail "$one samples are traced, not one"
 second=$(RAYSTEPS_TRACE_SAMPLE=2 crop 320,240,321,241 | grep -v '^wrote ')
 first=$(crop 320,240,321,241 | grep -v '^wrote ')
-[ "$first" != "$second" ] || fail "the second sample equals the first"
-none=$(RAYSTEPS_TRACE_SAMPLE=17 crop 320,240,321,241 | grep -c 'brings back' || true)
+[ "$first" != "$second" ] || fail "the second sample is the first one"
+none=$(RAYSTEPS_TRACE_SAMPLE=17 crop 320,240,321,241 | grep -c 'returns' || true)
 [ "$none" = 0 ] || fail "there is a seventeenth sample"

@@ -46,7 +46,7 @@ says "next: ./learn start 01" status
 says "Write 4 functions" start 03
 gap=$(grep -n "TODO: turn ray.direction" "$workshop/03_mirror/mirror.h" | cut -d: -f1)
 [[ $said == *"mirror.h:$gap  reflected_ray"* ]] || wrong "start 03: expected 'mirror.h:$gap  reflected_ray', got: $said"
-says "mirror.h is there already" start 3
+says "mirror.h already exists" start 3
 says "next: write reflect in" status
 says "Hint 1 of 3" hint 03 reflected_ray
 says "Hint 2 of 3" hint 03 reflected_ray
@@ -55,18 +55,18 @@ says "Hint 3 of 3" hint 03 reflected_ray
 says "no more hints" hint 03 reflected_ray
 says "Hint 1 of 3" hint 03 reflected_ray --all
 says "3 of 3  reflected_ray" hint 03
-says "begin anew" hint 03 reflected_ray --reset
+says "start again with the first" hint 03 reflected_ray --reset
 says "-    return spawn_ray(hit, reflect(ray.direction, hit.shading_normal));" diff 03 mirror.h
 grep -v '^ *//[<>]' "$project/steps/03_mirror/mirror.h" >"$workshop/03_mirror/mirror.h"
-says "mirror.h: as the reference" diff 03 mirror.h
-says "2 of 4 functions begun" status
-says "to get it back: mv '" undo 03 mirror.h
+says "mirror.h: same as the reference" diff 03 mirror.h
+says "2 of 4 functions started" status
+says "to restore it: mv '" undo 03 mirror.h
 [ ! -e "$workshop/03_mirror/mirror.h" ] || wrong "undo does not move the file"
-back=$(printf '%s\n' "$said" | sed -n 's/^ *to get it back: //p')
+back=$(printf '%s\n' "$said" | sed -n 's/^ *to restore it: //p')
 eval "$back" || wrong "the command that undoes undo does not work: $back"
-says "as the reference" diff 03 mirror.h
+says "same as the reference" diff 03 mirror.h
 says "moved" undo 03
-says "03_mirror       not begun" status
+says "03_mirror       not started" status
 refuses "you have no files of 03_mirror" undo 03
 
 # Every step can be started, in any order, and every exercise has its hints.
@@ -80,7 +80,7 @@ done
 # Wrong arguments.
 refuses "there is no step '9'" start 9
 refuses "there is no step '03/..'" hint 03/..
-refuses "03_mirror has no exercise 'mirror'; it has reflect, reflected_ray" hint 03 mirror
+refuses "03_mirror has no function 'mirror' to write; it has reflect, reflected_ray" hint 03 mirror
 refuses "there is no file 'mirror' in" diff 03 mirror
 refuses "there is no file '../../x' in" undo 03 ../../x
 refuses "STEP is required" start
@@ -91,7 +91,7 @@ run start 9 --help
 
 # No partial files: a folder that is a file, and a full disk.
 workshop=$folder/erred
-refuses "cannot make the folder" start 03
+refuses "cannot create the folder" start 03
 workshop=$folder/full
 (
     ulimit -f 0

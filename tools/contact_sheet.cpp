@@ -1,4 +1,4 @@
-// contact_sheet OUT.png A.png B.png ...: many pictures on one sheet, each with its name under it.
+// contact_sheet OUT.png A.png B.png ...: draws pictures side by side, with their names below.
 #include "assets/letters.h"
 #include "common/util/report_error.h"
 #include "common/util/error.h"
@@ -19,14 +19,14 @@ namespace {
 constexpr int columns = 4;
 constexpr int cell_width = 480, cell_height = 300;
 constexpr int gap = 20;                         // between cells and around them
-constexpr int caption = 38;                     // the strip under a cell
-constexpr double letter = 15;                   // height of a capital
-const vec3 background(0.0075f, 0.008f, 0.010f); // linear, as everything here
+constexpr int caption = 38;                     // height of the strip below a cell
+constexpr double letter = 15;                   // height of a capital letter
+const vec3 background(0.0075f, 0.008f, 0.010f); // all colours are linear
 const vec3 number_colour(0.95f, 0.50f, 0.12f);
 const vec3 name_colour(0.62f, 0.64f, 0.68f);
 
-/// The mean of the picture over the box [x0, x1) x [y0, y1), pixels at the border counting by the part
-/// inside.
+/// Returns the mean of the picture over the box [x0, x1) x [y0, y1). Pixels at its border are weighted by the
+/// part that is inside.
 vec3 box_mean(const Image& image, double x0, double y0, double x1, double y1) {
     vec3 sum(0.0f);
     double area = 0;
@@ -40,7 +40,7 @@ vec3 box_mean(const Image& image, double x0, double y0, double x1, double y1) {
     return area > 0 ? sum / float(area) : sum;
 }
 
-/// Fits the whole picture into the cell at (left, top), in its own proportions, in the middle.
+/// Draws the picture, scaled to fit and centred, into the cell at (left, top).
 void draw_picture(Image& sheet, int left, int top, const Image& image) {
     const double scale = std::max(double(image.width) / cell_width, double(image.height) / cell_height);
     const int width = std::max(1, int(std::lround(image.width / scale)));
@@ -53,13 +53,13 @@ void draw_picture(Image& sheet, int left, int top, const Image& image) {
             sheet(left + x, top + y) = box_mean(image, x * dx, y * dy, (x + 1) * dx, (y + 1) * dy);
 }
 
-/// "renders/03_mirror.png" -> "03_mirror"
+/// Returns "03_mirror" for "renders/03_mirror.png".
 std::string stem(const std::string& path) {
     const std::size_t begin = path.find_last_of("/\\") + 1; // npos + 1 is 0
     return path.substr(begin, path.rfind('.') - begin);
 }
 
-/// Writes the number in its own colour, then the name, as far as the cell is wide.
+/// Draws the number in its own colour, then the name, cut off at the width of the cell.
 void draw_caption(Image& sheet, int left, int top, const std::string& path) {
     const int advance = int(std::lround(letter * 5.6 / 6));
     const std::string name = stem(path).substr(0, std::size_t(cell_width / advance));

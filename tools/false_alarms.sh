@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# How often does compare call a right render wrong? Renders 07 and 08 with other seeds as ctest renders them, or with
-# SAMPLES a pixel, compares each with its reference, and prints a table. false_alarms.sh [BUILD [SEEDS [SAMPLES]]]:
-# build/release and 20 if not given.
+# Measures how often compare calls a correct render wrong.
+# false_alarms.sh [BUILD [SEEDS [SAMPLES]]] renders 07 and 08 with other seeds, as ctest does or with SAMPLES
+# per pixel, compares each with its reference, and prints a table. Defaults: build/release and 20 seeds.
 set -eu
 
 project=$(cd "$(dirname "$0")/.." && pwd)
@@ -9,15 +9,15 @@ build=${1:-$project/build/release}
 seeds=${2:-20}
 samples=${3-}
 references=$project/assets/reference
-[ -x "$build/bin/compare" ] || { echo "false_alarms: $build/bin/compare is not there; build it first" >&2; exit 2; }
+[ -x "$build/bin/compare" ] || { echo "false_alarms: $build/bin/compare does not exist; build it first" >&2; exit 2; }
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# Prints "verdict alarms largest_z mean_flip" of one render.
+# Prints "verdict outliers largest_z mean_flip" for one render.
 one() { # $1: the step, $2: the seed
     local flags=${samples:+--samples $samples}
     [ -n "$flags" ] || flags=$(sed -n 's/^test flags: *//p' "$references/$1.txt")
-    # shellcheck disable=SC2086 # the flags are words
+    # shellcheck disable=SC2086 # splits the flags
     "$build/bin/$1" --quiet --seed "$2" --out "$work/a.hdr" --variance "$work/v.hdr" $flags >"$work/said"
     "$build/bin/compare" "$work/a.hdr" "$references/$1.hdr" --variance-a "$work/v.hdr" \
         --variance-b "$references/$1.variance.hdr" --json "$work/json" >"$work/words" || true

@@ -12,7 +12,7 @@ using namespace rt;
 TEST_CASE("a counted scene gives the same hits and counts each query once") {
     Counted<Scene> scene;
     scene.spheres = {{{1, 2, -5}, 1.5f, add(scene.materials, Diffuse{vec3(0.5f)})}};
-    scene.lights = {{{4, 9, -1}, vec3(70)}};
+    scene.lights = {{{-4, 9, 6}, vec3(70)}};
     const Scene& plain = scene;
     const Ray ray{{0, 0, 0}, {0.2f, 0.4f, -1}};
     ray_stats = {};

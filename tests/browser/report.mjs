@@ -110,8 +110,8 @@ async function pixel() {
 test("the first screen states what is wrong and what to do", async () => {
     await open("wrong");
     for (const [selector, want] of Object.entries({
-        "#step": "Raysteps · step 03, mirror", "h1": "What does the mirror see?", "#checks-headline": "7 of 12 green",
-        "#picture-headline": "A different picture", "#next": "./learn hint 03 reflect",
+        "#step": "Raysteps · step 03, mirror", "h1": "What does the mirror see?", "#checks-headline": "7 of 12 pass",
+        "#picture-headline": "Different from the reference", "#next": "./learn hint 03 reflect",
         "#mistake-title": "The part along the normal is added instead of subtracted",
     }))
         assert.equal(await text(selector), want);
@@ -124,15 +124,15 @@ test("the first screen states what is wrong and what to do", async () => {
 
 test("a good report shows no mistake", async () => {
     await open("good");
-    assert.equal(await text("#checks-headline"), "74 of 74 green");
-    assert.equal(await text("#picture-headline"), "The same up to noise");
+    assert.equal(await text("#checks-headline"), "74 of 74 pass");
+    assert.equal(await text("#picture-headline"), "Same up to noise");
     assert.equal(await visible("#mistake"), false, "a mistake is shown");
-    assert.match(await text("#numbers"), /1 tile beyond \|z\| = 4/);
+    assert.match(await text("#numbers"), /1 tile with \|z\| > 4/);
 });
 
 test("without a known mistake the report links to the first failing check", async () => {
     await open("unknown");
-    assert.equal(await text("#mistake-title"), "None that we know");
+    assert.equal(await text("#mistake-title"), "No known mistake fits");
     await click("#mistake-facts a");
     assert.equal(await see("location.hash"), "#check-0", "the link to the first red check");
 });

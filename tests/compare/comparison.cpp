@@ -77,9 +77,9 @@ TEST_CASE("the words state place, direction, amount and the values of the worst 
                 "x 9 to 38, y 72 to 87");
     const Comparison dark = compared(patched(right, lower_left, vec3(0.5f)), right);
     CHECK_ERROR(dark.location.words, "too dark by a factor of 2 in the lower left");
-    CHECK_ERROR(all_lines(dark), "worst pixel: 39,87 is (0.118, 0.235, 0.159)", "the reference has (0.");
+    CHECK_ERROR(all_lines(dark), "worst pixel: 39,87 is (0.118, 0.235, 0.159)", "in the reference (0.");
     const Comparison red = compared(patched(right, lower_left, vec3(1.5f, 0.934f, 1)), right);
-    CHECK_ERROR(red.location.words, "of another colour (too much red)");
+    CHECK_ERROR(red.location.words, "in a different colour (too much red)");
     Image both = patched(right, {0, 0, 20, 20}, vec3(1.5f));
     both = patched(both, {100, 60, 120, 80}, vec3(0.7f));
     CHECK_ERROR(compared(both, right).location.words, "too bright in places and too dark in others all over");

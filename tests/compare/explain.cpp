@@ -41,7 +41,7 @@ TEST_CASE("a mirrored or rotated picture is explained, in floats, in files and u
         CHECK(explained(mirrored(right, true, false), right, how) == "flipped left to right");
         CHECK(explained(mirrored(right, false, true), right, how) == "flipped upside down");
         CHECK(explained(mirrored(right, true, true), right, how) ==
-              "turned by half a turn (flipped in x and y)");
+              "rotated by 180 degrees (flipped in x and y)");
         CHECK(explained(transposed(square), square, how) == "rows and columns swapped");
     }
     CHECK(explained_noisy(mirrored(right, true, false), right) == "flipped left to right");
@@ -55,8 +55,8 @@ TEST_CASE("a picture with changed colours is explained, in floats, in files and 
         {"red and blue swapped", [](vec3 c) { return vec3(c.z, c.y, c.x); }},
         {"the sRGB encoding is missing", srgb_decoded},
         {"the sRGB encoding is done twice", srgb_encoded},
-        {"gamma 2.2 in place of sRGB", [](vec3 c) { return srgb_decoded(power(c, 1 / 2.2f)); }},
-        {"a square root in place of sRGB", [](vec3 c) { return srgb_decoded(power(c, 0.5f)); }}};
+        {"gamma 2.2 instead of sRGB", [](vec3 c) { return srgb_decoded(power(c, 1 / 2.2f)); }},
+        {"a square root instead of sRGB", [](vec3 c) { return srgb_decoded(power(c, 0.5f)); }}};
     for (const auto& [name, slip] : slips) {
         const Image wrong = changed(right, slip);
         for (const std::string& how : storages) {
@@ -79,18 +79,19 @@ TEST_CASE("one gain for the whole picture is explained and named if it has a nam
         const Image dim =
             changed(right, [](vec3 c) { return c * 0.06f; }); // so that a PNG can hold 4 pi of it
         INFO(name);
-        CHECK(explained(changed(right, brighter), right) == "all of it times " + name);
-        CHECK(explained(changed(right, brighter), right, ".hdr") == "all of it times " + name);
-        if (gain > 1.5) CHECK(explained(changed(dim, brighter), dim, ".png") == "all of it times " + name);
+        CHECK(explained(changed(right, brighter), right) == "the whole picture times " + name);
+        CHECK(explained(changed(right, brighter), right, ".hdr") == "the whole picture times " + name);
+        if (gain > 1.5)
+            CHECK(explained(changed(dim, brighter), dim, ".png") == "the whole picture times " + name);
         if (gain > 1.5 || gain < 0.6)
-            CHECK(explained_noisy(changed(right, brighter), right) == "all of it times " + name);
+            CHECK(explained_noisy(changed(right, brighter), right) == "the whole picture times " + name);
     }
 }
 
 TEST_CASE("a gain is found although the PNG is clamped at white") {
     const Image right = lopsided(96, 64);
     const Image bright = changed(right, [](vec3 c) { return c * 2.0f; });
-    CHECK(explained(bright, right, ".png") == "all of it times 2");
+    CHECK(explained(bright, right, ".png") == "the whole picture times 2");
 }
 
 TEST_CASE("a shift by half a pixel is explained and a shift by a whole pixel is not called half a pixel") {
@@ -154,7 +155,7 @@ TEST_CASE("black, constant and symmetric pictures are not explained by changes t
         CHECK(explained(flat(0.2f), flat(0.5f), how) == none_of_these); // any gain would fit
         CHECK(explained(flat(1), right, how) == none_of_these);
     }
-    CHECK(explained(flat(0.5f), flat(0.25f)) == "all of it times 2"); // but 2 is a common mistake
+    CHECK(explained(flat(0.5f), flat(0.25f)) == "the whole picture times 2"); // but 2 is a slip that is made
     Image symmetric = right;
     for (int y = 0; y < 64; ++y)
         for (int x = 48; x < 96; ++x) symmetric(x, y) = symmetric(95 - x, y);

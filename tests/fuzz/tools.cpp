@@ -33,8 +33,8 @@ void check_exercises(const std::string& text) {
     const std::string stub = make_stub(text, exercises);
     without_markers(text);
     for (const Exercise& exercise : exercises) {
-        const int place = place_of(exercise, stub);
-        require(place >= 1, "lines are counted from 1");
+        const int place = line_of(exercise, stub);
+        require(place >= 1, "lines count from 1");
         is_untouched(exercise, text, stub);
     }
 }
@@ -71,7 +71,7 @@ void run_tutor(std::string_view bytes) {
         case 's': return void(parse_signatures(read, "exercises/03_mirror/signatures.txt"));
         case 'e': return check_exercises(read);
         case 'c': return void(first_error(read, "workshop/"));
-        case 'n': return require(rounded(read).size() <= 100, "values are short");
+        case 'n': return require(round_numbers(read).size() <= 100, "values are short");
         }
     });
 }

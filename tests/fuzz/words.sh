@@ -30,7 +30,7 @@ PATH_WITHOUT=$(mktemp -d)
 trap 'rm -rf "$PATH_WITHOUT"' EXIT
 printf '#!/bin/sh\nexit 1\n' >"$PATH_WITHOUT/clang++"
 chmod +x "$PATH_WITHOUT/clang++"
-PATH=$PATH_WITHOUT:$PATH refuses "fuzz needs clang++ and its libFuzzer" hdr
+PATH=$PATH_WITHOUT:$PATH refuses "fuzz needs clang++ with libFuzzer" hdr
 "$learn" fuzz --help | grep -q "^Targets: bmp catalogue" || {
     echo "./learn fuzz --help does not name the targets"
     bad=1

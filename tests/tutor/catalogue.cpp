@@ -74,15 +74,15 @@ TEST_CASE("an error in the catalogue is one line with file and line number") {
     CHECK(complaint("# Mistakes of step 01", "# Mistakes of step 02")
               .starts_with("exercises/01_one/mistakes.md:1: "));
     CHECK(complaint("not-halved: ", "not-halved ")
-              .starts_with("exercises/01_one/mistakes.md:3: a mistake begins with"));
+              .starts_with("exercises/01_one/mistakes.md:3: a mistake must begin with"));
     CHECK(complaint("not-halved", "Not halved")
               .starts_with("exercises/01_one/mistakes.md:3: the id 'Not halved'"));
     CHECK(complaint("```diff", "```").starts_with("exercises/01_one/mistakes.md:4: "));
     CHECK(complaint("01_one/half.h", "half.h").starts_with("exercises/01_one/mistakes.md:5: "));
     CHECK(complaint("01_one/half.h", "02_two/half.h").find("later step") != std::string::npos);
-    CHECK(complaint("```\n*", "*").find("a line of a diff begins with") != std::string::npos);
+    CHECK(complaint("```\n*", "*").find("a line of a diff must begin with") != std::string::npos);
     CHECK(complaint("* Why: a half is half.\n", "")
-              .starts_with("exercises/01_one/mistakes.md:12: here '* Why: ...'"));
+              .starts_with("exercises/01_one/mistakes.md:12: expected '* Why: ...'"));
     CHECK(complaint("divide by 2.\n", "divide by 2.\n\n" + good.substr(good.find("##")))
               .find("there are two mistakes not-halved") != std::string::npos);
 }
@@ -93,7 +93,7 @@ TEST_CASE("a change that applies nowhere or in two places is an error") {
               .find("does not apply") != std::string::npos);
     CHECK(complaint("     const float y = x;\n-    return y / 2;\n+    return y;",
                     "-    const float y = x;\n+    return y;")
-              .find("stands twice in 01_one/half.h, in lines 3 and 7") != std::string::npos);
+              .find("occur twice in 01_one/half.h, at lines 3 and 7") != std::string::npos);
 }
 
 TEST_CASE("every mistake of the project applies to the reference") {

@@ -131,9 +131,9 @@ TEST_CASE("a function that was not edited is untouched whatever changed around i
 TEST_CASE("an exercise is found at its TODO or else at its function") {
     const std::vector<Exercise> found = find_exercises(SmallProject::shape, "shape.h");
     const std::string stub = make_stub(SmallProject::shape, found);
-    CHECK(place_of(found[1], stub) == 13);
-    CHECK(place_of(found[1], SmallProject::shape) == 11);
-    CHECK(place_of(found[1], "nothing\n") == 1);
+    CHECK(line_of(found[1], stub) == 13);
+    CHECK(line_of(found[1], SmallProject::shape) == 11);
+    CHECK(line_of(found[1], "nothing\n") == 1);
 }
 
 TEST_CASE("the headers that a header needs come before it") {
@@ -156,5 +156,5 @@ TEST_CASE("a function with a loop or a recursive call may not terminate; others 
 
 TEST_CASE("an empty file and an empty stub cause no error") {
     CHECK_FALSE(is_untouched({.function = "f"}, "", ""));
-    CHECK(place_of({.function = "f"}, "") == 1);
+    CHECK(line_of({.function = "f"}, "") == 1);
 }

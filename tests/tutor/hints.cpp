@@ -72,20 +72,22 @@ TEST_CASE("without a name, the exercises of the step are listed with the number 
 
 TEST_CASE("an unknown exercise is rejected with the list of names") {
     const SmallProject small;
-    CHECK_THROWS_WITH_AS(hint(small, "quarter"), "01_one has no exercise 'quarter'; it has half, sign",
-                         Error);
+    CHECK_THROWS_WITH_AS(hint(small, "quarter"),
+                         "01_one has no function 'quarter' to write; it has half, sign", Error);
 }
 
 TEST_CASE("hints that are missing, superfluous or not three are errors that name the file") {
-    CHECK(has(complaint("## half\n1. a\n2. b\n3. c\n"), "01_one/hints.md: no hints for sign"));
+    CHECK(has(complaint("## half\n1. a\n2. b\n3. c\n"), "01_one/hints.md: there are no hints for sign"));
     const std::string both = "## half\n1. a\n2. b\n3. c\n## sign\n1. a\n2. b\n3. c\n";
     CHECK(complaint(both) == "");
-    CHECK(has(complaint(both + "## quarter\n1. a\n2. b\n3. c\n"), "hints for quarter, which is no exercise"));
-    CHECK(has(complaint(both + "4. d\n"), "4 hints for sign, not three"));
-    CHECK(has(complaint("## half\n1. a\n## sign\n1. a\n2. b\n3. c\n"), "1 hints for half, not three"));
-    CHECK(has(complaint(both + "## half\n"), "01_one/hints.md:9: a second set of hints for half"));
+    CHECK(has(complaint(both + "## quarter\n1. a\n2. b\n3. c\n"),
+              "hints for quarter, which is not an exercise"));
+    CHECK(has(complaint(both + "4. d\n"), "4 hints for sign; there must be three"));
+    CHECK(has(complaint("## half\n1. a\n## sign\n1. a\n2. b\n3. c\n"),
+              "1 hints for half; there must be three"));
+    CHECK(has(complaint(both + "## half\n"), "01_one/hints.md:9: there are already hints for half"));
     CHECK(has(complaint("## half\n2. a\n"), "01_one/hints.md:2: expected '1. '"));
-    CHECK(has(complaint("1. a\n"), "01_one/hints.md:1: a hint stands below '## name'"));
+    CHECK(has(complaint("1. a\n"), "01_one/hints.md:1: expected '## name' before the first hint"));
 }
 
 TEST_CASE("damaged lines in the record of hints are ignored") {

@@ -57,13 +57,13 @@ TEST_CASE("colour is used only if it is requested, and no other control characte
 TEST_CASE("the reference's answer equals the reference with or without markers and with Windows line ends") {
     const SmallProject small;
     put(small.own("01_one/shape.h"), SmallProject::shape);
-    CHECK(diff_of(small, "shape.h").ends_with("shape.h: as the reference\n"));
+    CHECK(diff_of(small, "shape.h").ends_with("shape.h: same as the reference\n"));
     std::string text = without_markers(SmallProject::shape);
     put(small.own("01_one/shape.h"), text);
-    CHECK(diff_of(small, "").ends_with("shape.h: as the reference\n"));
+    CHECK(diff_of(small, "").ends_with("shape.h: same as the reference\n"));
     for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += 2) text.insert(at, "\r");
     put(small.own("01_one/shape.h"), text);
-    CHECK(diff_of(small, "").ends_with("shape.h: as the reference\n"));
+    CHECK(diff_of(small, "").ends_with("shape.h: same as the reference\n"));
 }
 
 TEST_CASE("a stub differs from the reference only at its exercises") {
@@ -78,6 +78,6 @@ TEST_CASE("a stub differs from the reference only at its exercises") {
 TEST_CASE("a file that the reference does not have is reported as the learner's own") {
     const SmallProject small;
     put(small.own("01_one/own.h"), "// mine\n");
-    CHECK(diff_of(small, "own.h").ends_with("yours alone, the reference has no such file\n"));
-    CHECK_THROWS_AS(diff_of(small, "shape.h"), Error); // not started
+    CHECK(diff_of(small, "own.h").ends_with("only yours; the reference has no such file\n"));
+    CHECK_THROWS_AS(diff_of(small, "shape.h"), Error); // not begun
 }

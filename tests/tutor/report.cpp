@@ -232,12 +232,12 @@ TEST_CASE("base64 encodes the examples of the standard") {
 }
 
 TEST_CASE("an embedded text is JSON in which nothing can end a script") {
-    CHECK(embedded("plain \xC3\xA4 \xE2\x82\xAC \xF0\x9F\x98\x80") ==
+    CHECK(script_safe_json("plain \xC3\xA4 \xE2\x82\xAC \xF0\x9F\x98\x80") ==
           "\"plain \xC3\xA4 \xE2\x82\xAC \xF0\x9F\x98\x80\"");
-    CHECK(embedded("\"\\\n\t\x7F") == "\"\\\"\\\\\\n\\t\\u007f\"");
-    CHECK(embedded("</script>&") == "\"\\u003c/script\\u003e\\u0026\"");
-    CHECK(embedded(std::string("\0", 1)) == "\"\\u0000\"");
-    CHECK(embedded("a\xFFz") == "\"a\xEF\xBF\xBDz\""); // not UTF-8
+    CHECK(script_safe_json("\"\\\n\t\x7F") == "\"\\\"\\\\\\n\\t\\u007f\"");
+    CHECK(script_safe_json("</script>&") == "\"\\u003c/script\\u003e\\u0026\"");
+    CHECK(script_safe_json(std::string("\0", 1)) == "\"\\u0000\"");
+    CHECK(script_safe_json("a\xFFz") == "\"a\xEF\xBF\xBDz\""); // not UTF-8
 }
 
 TEST_CASE("the report contains its three pictures and that of the mistake") {
@@ -341,12 +341,12 @@ TEST_CASE("a picture that cannot be shown is an error that names it") {
                 "gone.png: no such file");
     folder.write("text.png", "This is a text of more than twenty-four bytes.");
     CHECK_ERROR(error([&](Json& r) { r["pictures"]["map"] = folder / "text.png"; }),
-                "text.png: is no PNG picture");
+                "text.png: is not a PNG file");
     folder.write("short.png", bytes_of(references + "03_mirror.png").substr(0, 20));
     CHECK_ERROR(error([&](Json& r) { r["mistake"]["picture"] = folder / "short.png"; }),
-                "short.png: is no PNG picture");
+                "short.png: is not a PNG file");
     CHECK_ERROR(error([&](Json& r) { r["pictures"]["reference"] = references + "08_indirect.png"; }),
-                "08_indirect.png", "another size", "mine.png");
+                "08_indirect.png", "differs in size", "mine.png");
 }
 
 TEST_CASE("a frame that is missing or has no place for the data is an error that names it") {
@@ -355,9 +355,9 @@ TEST_CASE("a frame that is missing or has no place for the data is an error that
     const auto error = [&] { return error_of([&] { report_html(folder.path, report); }); };
     CHECK_ERROR(error(), "tools/tutor/report.html: no such file");
     folder.write("tools/tutor/report.html", "<html></html>");
-    CHECK_ERROR(error(), "tools/tutor/report.html: {{report}} must stand in it exactly once");
+    CHECK_ERROR(error(), "tools/tutor/report.html: {{report}} must occur in it exactly once");
     folder.write("tools/tutor/report.html", "{{report}} {{report}}");
-    CHECK_ERROR(error(), "tools/tutor/report.html: {{report}} must stand in it exactly once");
+    CHECK_ERROR(error(), "tools/tutor/report.html: {{report}} must occur in it exactly once");
     folder.write("tools/tutor/report.html", "<{{report}}>");
     CHECK(error() == "no error");
 }

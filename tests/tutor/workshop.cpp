@@ -60,7 +60,7 @@ TEST_CASE("start never overwrites an existing file and reports it") {
     put(small.own("02_two/base.h"), "// mine\n");
     const std::string said = start(small, "02_two");
     CHECK(text_of(small.own("02_two/base.h")) == "// mine\n");
-    CHECK(has(said, "base.h is there already: left as it is"));
+    CHECK(has(said, "base.h already exists and was not changed"));
     CHECK(has(text_of(small.own("02_two/above.h")), "TODO"));
     put(small.own("02_two/above.h"), "");
     start(small, "02_two");
@@ -77,9 +77,9 @@ TEST_CASE("start does not write through a dangling link") {
 
 TEST_CASE("start lists the learner's files of earlier steps") {
     const SmallProject small;
-    CHECK_FALSE(has(start(small, "02_two"), "yours"));
+    CHECK_FALSE(has(start(small, "02_two"), "Your files"));
     start(small, "01_one");
-    CHECK(has(start(small, "02_two"), "yours  01_one/shape.h:"));
+    CHECK(has(start(small, "02_two"), "Your files of earlier steps, which this step uses: 01_one/shape.h"));
 }
 
 TEST_CASE("if no folder can be created, start fails and leaves nothing") {
@@ -108,7 +108,7 @@ TEST_CASE("undo keeps the file under the current time even for several within a 
     const SmallProject small;
     for (const std::string text : {"first", "second", "third"}) {
         put(small.own("01_one/shape.h"), text);
-        CHECK(has(undo(small, "01_one", "shape.h"), "to get it back: mv "));
+        CHECK(has(undo(small, "01_one", "shape.h"), "to restore it: mv "));
         CHECK_FALSE(fs::exists(small.own("01_one/shape.h")));
     }
     std::string all;
@@ -140,16 +140,16 @@ TEST_CASE("undo moves only files of the step") {
 
 TEST_CASE("status counts the functions that differ from their placeholder and states what is next") {
     const SmallProject small;
-    CHECK(has(status(small), "01_one          not begun"));
+    CHECK(has(status(small), "01_one          not started"));
     CHECK(has(status(small), "next: ./learn start 01"));
     start(small, "01_one");
-    CHECK(has(status(small), "0 of 2 functions begun; not checked yet"));
+    CHECK(has(status(small), "0 of 2 functions started; not checked yet"));
     CHECK(has(status(small), "next: write half in "));
     replace(small.own("01_one/shape.h"), "return x;", "return x / 2;");
-    CHECK(has(status(small), "1 of 2 functions begun"));
+    CHECK(has(status(small), "1 of 2 functions started"));
     CHECK(has(status(small), "next: write sign in "));
     replace(small.own("01_one/shape.h"), "    return result", "    return x < zero ? -1 : result");
-    CHECK(has(status(small), "2 of 2 functions begun"));
+    CHECK(has(status(small), "2 of 2 functions started"));
     CHECK(has(status(small), "next: ./learn check 01"));
 }
 
@@ -158,14 +158,14 @@ TEST_CASE("status reports the last check and whether the files changed since") {
     put(small.own("01_one/shape.h"), SmallProject::shape);
     write_check(small.project, "01_one", {7, 0, "same", fingerprint(small.project, "01_one")});
     CHECK(has(status(small), "done  01_one"));
-    CHECK(has(status(small), "7 of 7 checks passed, the picture is the reference's\n"));
+    CHECK(has(status(small), "7 of 7 checks passed, the picture matches the reference\n"));
     CHECK(has(status(small), "next: ./learn start 02"));
     replace(small.own("01_one/shape.h"), "x / 2", "x / 3");
     CHECK_FALSE(has(status(small), "done"));
     CHECK(has(status(small), "changed since"));
     CHECK(has(status(small), "next: ./learn check 01"));
     write_check(small.project, "01_one", {5, 2, "different", fingerprint(small.project, "01_one")});
-    CHECK(has(status(small), "5 of 7 checks passed, the picture is another\n"));
+    CHECK(has(status(small), "5 of 7 checks passed, the picture is wrong\n"));
     CHECK_FALSE(has(status(small), "done"));
 }
 
@@ -206,6 +206,6 @@ TEST_CASE("if all steps are done, nothing is left") {
     put(small.own("02_two/base.h"), SmallProject::base);
     for (const char* step : {"01_one", "02_two"})
         write_check(small.project, step, {1, 0, "noise", fingerprint(small.project, step)});
-    CHECK(has(status(small), "all steps are yours"));
-    CHECK(has(status(small), "3 more stand as in the reference")); // above.h was never started
+    CHECK(has(status(small), "all steps are done"));
+    CHECK(has(status(small), "3 more from the reference")); // above.h was never begun
 }

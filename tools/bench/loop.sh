@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# How long a learner waits: from saving a file to the verdict of its checks, and to that of the picture (a glimpse of it
+# How long a learner waits: from saving a file to the verdict of its checks, and to that of the picture (a preview of it
 # where it is a noisy one). loop.sh ROOT BUILD [JSON]: saves each file with exercises anew and lets ./learn check run.
 set -u
 
@@ -14,8 +14,8 @@ waited() { # $1: the file that is saved; sets $checks and $picture, the seconds 
     begin=$(now)
     while IFS= read -r line; do
         case $line in
-            first*) checks=$(since "$begin") ;;
-            picture* | glimpse*) [ -n "$picture" ] || picture=$(since "$begin") ;;
+            file*) checks=$(since "$begin") ;;
+            picture* | preview*) [ -n "$picture" ] || picture=$(since "$begin") ;;
         esac
     done < <("$build/bin/tutor" --root "$root" --workshop "$build/loop" check "$step" --build "$build" |
         tee "$build/said_loop.txt")

@@ -1,4 +1,4 @@
-// Compares a picture with known wrong ones, and says nothing unless one of them is the same.
+// Compares a picture with the pictures of known mistakes, and names one only if it matches.
 #include "tools/compare/catalogue.h"
 
 #include "tools/compare/flip.h"
@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The root of the mean square of z over the tiles (of those in which `telling` alarms, if it is given).
+/// Returns the root mean square of z over all tiles, or only over those that are outliers in `telling`.
 double mean_z(const TileDifference& tiles, const TileDifference* telling = nullptr) {
     double sum = 0;
     int count = 0;
@@ -28,7 +28,8 @@ double mean_z(const TileDifference& tiles, const TileDifference* telling = nullp
     return count > 0 ? std::sqrt(sum / count) : 0;
 }
 
-/// The distance to a known picture; none if the two do not agree, or the reference is about as near.
+/// Returns the distance to a known picture; nothing if the two do not match, or if the reference is
+/// about as close.
 std::optional<double> exact_distance(const EncodedImage& test, const EncodedImage& reference,
                                      const CatalogueImage& known) {
     const Pair to_known = comparable(test, known.picture), to_reference = comparable(test, reference);
@@ -54,7 +55,7 @@ std::optional<double> noisy_distance(const EncodedImage& test, const EncodedImag
     return mean_z(tiles);
 }
 
-/// The paths of the pictures by name.
+/// Returns the paths of the pictures in a folder by name.
 std::map<std::string, std::string> pictures_in(const std::string& folder) {
     std::map<std::string, std::string> paths;
     std::error_code problem;
@@ -65,8 +66,8 @@ std::map<std::string, std::string> pictures_in(const std::string& folder) {
         if (is_variance || (ending != ".hdr" && ending != ".png")) continue;
         if (ending == ".hdr" || paths.count(name) == 0) paths[name] = path.string();
     }
-    if (problem) throw Error(folder + ": is not a folder that can be read (" + problem.message() + ")");
-    if (paths.empty()) throw Error(folder + ": holds no .hdr and no .png to compare with");
+    if (problem) throw Error(folder + ": is not a readable folder (" + problem.message() + ")");
+    if (paths.empty()) throw Error(folder + ": contains no .hdr or .png file to compare with");
     return paths;
 }
 

@@ -1,4 +1,4 @@
-// Which known wrong picture is this? The nearest of a list, or none: a guess helps nobody.
+// Finds the known wrong picture that matches a picture, or none: a wrong guess would mislead.
 #pragma once
 
 #include "tools/compare/explain.h"
@@ -11,23 +11,24 @@ namespace rt::compare {
 struct CatalogueImage {
     std::string name;
     EncodedImage picture;
-    Image variance; ///< empty: as noisy as the picture that is asked about
+    Image variance; ///< empty: assumed to be that of the picture to identify
 };
 
 struct CatalogueMatch {
-    std::vector<std::string> names; ///< empty: none; several: they cannot be told apart
-    double distance = 0;            ///< mean FLIP; for noisy pictures the root of the mean square of z
+    std::vector<std::string> names; ///< empty: no match; several: they match about equally well
+    double distance = 0;            ///< mean FLIP; for noisy pictures the root mean square of z
 
     explicit operator bool() const { return !names.empty(); }
 };
 
-/// The known pictures with which the test agrees, if they are clearly nearer than the reference. Throws Error
-/// with the name of a picture of another size.
+/// Returns the known pictures that match the test, if they are clearly closer than the reference. Throws
+/// Error, which names the picture, if one differs in size.
 CatalogueMatch find_in_catalogue(const EncodedImage& test, const EncodedImage& reference,
                                  const Variances& variances, const std::vector<CatalogueImage>& catalogue);
 
-/// All NAME.hdr and NAME.png of a folder, by name; the .hdr where there are both, and NAME.variance.hdr with
-/// it. Throws Error if there is no such folder, no picture in it, or one that cannot be read.
+/// Reads all NAME.hdr and NAME.png in a folder, sorted by name; the .hdr if both exist, with its
+/// NAME.variance.hdr. Throws Error if the folder does not exist, contains no picture, or a picture
+/// cannot be read.
 std::vector<CatalogueImage> read_catalogue_images(const std::string& folder);
 
 } // namespace rt::compare

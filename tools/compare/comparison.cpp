@@ -1,4 +1,4 @@
-// Puts the verdict together, and says it in words and in JSON.
+// Determines the verdict, and formats it as text and as JSON.
 #include "tools/compare/comparison.h"
 
 #include "common/util/error.h"
@@ -46,11 +46,11 @@ Verdict noisy_verdict(const TileDifference& tiles, bool equal) {
     return near ? Verdict::borderline : Verdict::different;
 }
 
-/// "different: ..." where the words of the verdict are "look at the map: ...".
+/// Replaces "different: " by words for a borderline verdict.
 std::string headline(Verdict verdict, std::string words) {
     constexpr std::string_view different = "different: ";
     if (verdict == Verdict::borderline && words.rfind(different, 0) == 0)
-        words.replace(0, different.size(), "look at the map, the pictures nearly agree: ");
+        words.replace(0, different.size(), "almost the same, look at the map: ");
     return words;
 }
 
@@ -58,20 +58,20 @@ std::string headline(Verdict verdict, std::string words) {
 
 std::string worst_pixel(const Difference& d) {
     return "worst pixel: " + std::to_string(d.x) + "," + std::to_string(d.y) + " is " + value_of(d.test) +
-           ", the reference has " + value_of(d.reference) + " there";
+           ", in the reference " + value_of(d.reference);
 }
 
 std::string worst_tile(const TileDifference& d) {
     std::ostringstream words;
     words.precision(3);
     words << "worst tile: the 8 x 8 pixels at " << d.x << "," << d.y << " have the mean luminance " << d.test
-          << ", the reference " << d.reference << " (z " << d.largest_z << ")";
+          << ", in the reference " << d.reference << " (z " << d.largest_z << ")";
     return words.str();
 }
 
 std::string why(const Comparison& comparison) {
-    if (comparison.explanation != none_of_these) return "it looks as if: " + comparison.explanation;
-    return "explanation: none of these (" + explanations_tried() + ")";
+    if (comparison.explanation != none_of_these) return "likely cause: " + comparison.explanation;
+    return "likely cause: none of these (" + explanations_tried() + ")";
 }
 
 std::string joined(const std::vector<std::string>& names) {
@@ -84,7 +84,7 @@ std::string flip_in_words(const FlipMap& seen) {
     std::ostringstream words;
     words.precision(3);
     words << "FLIP: mean " << seen.mean << ", largest " << seen.max
-          << " (0: nobody sees it, 1: black for white)";
+          << " (0: not visible, 1: black instead of white)";
     return words.str();
 }
 
@@ -97,21 +97,21 @@ void explain_difference(Comparison& comparison, const ComparisonInput& q) {
     comparison.lines.push_back("known mistakes: " +
                                (comparison.match
                                     ? "this is the picture of " + joined(comparison.match.names)
-                                    : "none of " + counted(q.catalogue.size(), "picture") + " is this one"));
+                                    : "none of " + counted(q.catalogue.size(), "picture") + " matches"));
 }
 
-/// A NaN is wrong however much noise there is.
+/// Handles pixels that are NaN or infinite: they are wrong even in a noisy picture.
 bool tell_not_a_number(Comparison& comparison, const Image& test, const Image& reference) {
     const NotANumber found = not_a_number(test, reference);
     if (found.pixels == 0) return false;
     comparison.verdict = Verdict::different;
     comparison.lines.push_back("different: " + counted(found.pixels, "pixel") +
-                               " not a number (NaN or infinite, magenta in a file), the first at " +
+                               " not a number (NaN or infinite; magenta in a file), the first at " +
                                std::to_string(found.x) + "," + std::to_string(found.y));
     return true;
 }
 
-/// The verdict and the first line.
+/// Sets the verdict and the first line.
 void decide(Comparison& comparison, const Difference& difference, const ComparisonInput& q) {
     const Conclusion words = comparison.tiles ? conclude(*comparison.tiles) : conclude(difference);
     comparison.verdict = comparison.tiles ? noisy_verdict(*comparison.tiles, comparison.rmse == 0)
@@ -122,7 +122,8 @@ void decide(Comparison& comparison, const Difference& difference, const Comparis
 
 // ---- the map
 
-/// Colours of our own, as sRGB: ever lighter from black over violet, red and orange to pale yellow.
+/// Returns a colour for an amount in [0, 1]: from black over violet, red and orange to pale yellow, with
+/// increasing lightness. Linear RGB.
 vec3 heat(float amount) {
     static const vec3 colours[] = {{0, 0, 0.02f},         {0.17f, 0.06f, 0.38f}, {0.47f, 0.11f, 0.50f},
                                    {0.78f, 0.20f, 0.43f}, {0.97f, 0.45f, 0.33f}, {1, 0.75f, 0.45f},
@@ -132,7 +133,8 @@ vec3 heat(float amount) {
     return srgb_decoded(mix(colours[low], colours[low + 1], at - float(low)));
 }
 
-/// Black for 0, red for too bright, blue for too dark; full at twice what alarms.
+/// Returns black for 0, red for positive z (too bright), blue for negative z; saturated at twice the
+/// limit of outliers.
 vec3 signed_heat(double z) {
     const float amount = float(std::min(std::abs(z) / (2 * limits.outlier_z), 1.0));
     const vec3 full = z > 0 ? vec3(1, 0.35f, 0.15f) : vec3(0.2f, 0.5f, 1);

@@ -1,4 +1,4 @@
-// The difference of two pictures, by pixels and by tiles: are they the same, or the same up to noise?
+// Computes differences of pictures by pixels and by tiles, and the conclusion from them.
 #include "tools/compare/difference.h"
 
 #include "common/util/error.h"
@@ -16,7 +16,8 @@ std::string size_of(const Image& image) {
     return std::to_string(image.width) + " x " + std::to_string(image.height);
 }
 
-/// Infinite where one of the two is not a number, so that it is never overlooked.
+/// Returns the absolute difference per channel; infinite if one of the pixels is not finite, so that
+/// it always counts.
 vec3 distances(vec3 test, vec3 reference) {
     if (!is_finite(test) || !is_finite(reference)) return vec3(infinity);
     return abs(test - reference);
@@ -26,8 +27,8 @@ bool agree(vec3 distance, vec3 reference) {
     return all(lessThanEqual(distance, limits.tolerance * max(vec3(1.0f), abs(reference))));
 }
 
-/// What writing to .hdr adds to the variance of a pixel's luminance: each channel is rounded to 1/256 of the
-/// power of two above the largest one, and an error that is uniform over a step has the variance step^2 / 12.
+/// Returns the variance that rounding to .hdr adds to a pixel's luminance. Each channel is rounded to 1/256
+/// of the power of two above the largest one; a uniform error over a step has the variance step^2 / 12.
 double rounding_variance(vec3 colour) {
     int exponent = 0;
     std::frexp(std::max({colour.x, colour.y, colour.z}), &exponent);
@@ -36,14 +37,14 @@ double rounding_variance(vec3 colour) {
     return weights * step * step / 12;
 }
 
-/// Sums over one tile.
+/// Sums over a tile.
 struct Tile {
     int pixels = 0;
     double test = 0, reference = 0, test_variance = 0, reference_variance = 0, rounding = 0;
 
-    /// `ratio` is how much noisier the test is than the reference over the whole picture. Few samples may
-    /// have missed a rare bright path and then think themselves sure; the other picture knows better, so the
-    /// larger estimate counts.
+    /// Returns z. `ratio` is the ratio of the variances of test and reference over the whole picture. With
+    /// few samples a rare bright path may have been missed, which makes the estimated variance too small, so
+    /// the larger of the two estimates counts.
     double z(double ratio) const {
         const double variance = std::max(test_variance, ratio * reference_variance) +
                                 std::max(reference_variance, ratio > 0 ? test_variance / ratio : 0);
@@ -51,7 +52,7 @@ struct Tile {
         const double change = test - reference;
         if (variance > 0) return change / std::sqrt(variance + rounding);
         const double tolerance =
-            pixels * limits.tolerance * std::max(1.0, reference / pixels); // nothing is noisy here
+            pixels * limits.tolerance * std::max(1.0, reference / pixels); // this tile has no noise
         return std::abs(change) <= tolerance ? 0
                                              : std::copysign(std::numeric_limits<double>::infinity(), change);
     }
@@ -73,8 +74,8 @@ Tile sum_tile(int x0, int y0, const Image& test, const Image& reference, const I
     return tile;
 }
 
-/// The median over the tiles of the test's variance in units of the reference's: about the inverse ratio of
-/// their samples.
+/// Returns the median over the tiles of the test's variance divided by the reference's: about the inverse
+/// ratio of their numbers of samples.
 double variance_ratio(const std::vector<Tile>& tiles) {
     std::vector<double> ratios;
     for (const Tile& tile : tiles)
@@ -83,7 +84,7 @@ double variance_ratio(const std::vector<Tile>& tiles) {
     if (ratios.empty()) return 0;
     std::sort(ratios.begin(), ratios.end());
     return std::sqrt(ratios[(ratios.size() - 1) / 2] *
-                     ratios[ratios.size() / 2]); // inverts when the two change places
+                     ratios[ratios.size() / 2]); // geometric mean: swapping the pictures inverts the ratio
 }
 
 } // namespace
@@ -101,11 +102,12 @@ std::string change_in_words(double test, double reference) {
     if (!std::isfinite(test)) return "not a number";
     std::ostringstream words;
     words.precision(3);
-    if (std::abs(test - reference) <= 0.005 * std::abs(reference)) return "as bright but of another colour";
+    if (std::abs(test - reference) <= 0.005 * std::abs(reference))
+        return "equally bright, in a different colour";
     words << (test > reference ? "brighter" : "darker");
     const double low = std::min(test, reference), high = std::max(test, reference);
     if (low <= 0)
-        return words.str() + (test > reference ? " where the reference is black" : " by all it had");
+        return words.str() + (test > reference ? " where the reference is black" : " by 100 %, black");
     if (high >= 2 * low)
         words << " by a factor of " << high / low;
     else
@@ -190,7 +192,7 @@ Conclusion conclude(const Difference& d) {
         words << "different: " << d.differing << " of " << d.pixels << " pixels differ by more than "
               << limits.tolerance << ", largest " << d.largest << " at " << d.x << "," << d.y << ", "
               << change_in_words(double(luminance(d.test)), double(luminance(d.reference))) << " there; mean "
-              << d.mean << ", the whole " << 100 * std::abs(d.mean_change) << " % "
+              << d.mean << ", the whole picture " << 100 * std::abs(d.mean_change) << " % "
               << (d.mean_change > 0 ? "brighter" : "darker");
     }
     return {same, words.str()};

@@ -1,4 +1,4 @@
-// What rounding and clipping leave open, and comparing with that in mind.
+// Computes the intervals that rounding and clipping leave, and compares pictures with them.
 #include "tools/compare/encoded.h"
 
 #include "common/util/error.h"
@@ -21,13 +21,13 @@ bool is_hdr(const std::string& path) {
                       [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
 }
 
-/// read_image() makes three channels of any number; here it matters how many there were.
+/// Returns the number of channels in the file; read_image() always returns three.
 int channels_of(const std::string& path) {
     const std::string bytes = read_file(path);
     int width = 0, height = 0, channels = 0;
     if (!stbi_info_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()), int(bytes.size()), &width,
                                &height, &channels))
-        throw Error(path + ": is not a picture of a kind that is read here; save it as PNG again");
+        throw Error(path + ": is not a picture in a supported format; save it as PNG");
     return channels;
 }
 
@@ -35,7 +35,7 @@ float decoded(float srgb) {
     return srgb <= 0.04045f ? srgb / 12.92f : std::pow((srgb + 0.055f) / 1.055f, 2.4f);
 }
 
-/// Half a step of the format on either side.
+/// Extends the interval by half a step of the format in both directions.
 void widen_hdr(vec3& low, vec3& high) {
     int exponent = 0;
     std::frexp(std::max({low.x, low.y, low.z}), &exponent);
@@ -50,7 +50,8 @@ void widen_png(float& low, float& high) {
     high = code > 254.5f ? infinity : decoded((code + 0.5f) / 255);
 }
 
-/// The same value where the intervals overlap, else the ends that face each other.
+/// Returns for each pair of intervals the same value if they overlap, or else the two ends that
+/// face each other.
 Pair facing(const Intervals& test, const Intervals& reference) {
     check_same_size(test.low, reference.low);
     Pair pair{test.low, reference.low};

@@ -1,5 +1,4 @@
-// A picture as a file holds it: each value is known up to the file's rounding, and what is white in a PNG may
-// be any brighter.
+// A picture as stored in a file: values are known up to the rounding, and white in a PNG means "at least 1".
 #pragma once
 
 #include "tools/compare/difference.h"
@@ -11,8 +10,8 @@ namespace rt::compare {
 
 enum class Encoding {
     floats, ///< in memory: exact
-    hdr,    ///< 8 bits of the largest channel
-    png     ///< 8 bits of the sRGB curve, cut off at white
+    hdr,    ///< 8 bits per channel with a common exponent
+    png     ///< 8 bits per channel on the sRGB curve, clipped at white
 };
 
 struct EncodedImage {
@@ -21,28 +20,28 @@ struct EncodedImage {
     int channels = 3; ///< in the file, 1 to 4
 };
 
-/// Throws Error with the path and the reason.
+/// Reads a .hdr or .png file. Throws Error with the path and the reason.
 EncodedImage read_encoded(const std::string& path);
 
-/// What each value may have been before it was stored.
+/// The range of values that each stored value may have had before rounding.
 struct Intervals {
     Image low, high;
 };
 Intervals intervals_of(const EncodedImage& encoded);
 
-/// Two pictures that compare_pixels() can compare.
+/// A pair of pictures for compare_pixels().
 struct Pair {
     Image test, reference;
 };
 
-/// As they are where both are stored alike, so that equal pictures have equal values; else the values in both
-/// intervals that are nearest to each other.
+/// Returns the pictures unchanged if they have the same encoding, so that equal pictures have equal values;
+/// otherwise the values in both intervals that are closest to each other.
 Pair comparable(const EncodedImage& test, const EncodedImage& reference);
 
-/// As compare_pixels(), of the gaps between the intervals: where they overlap, the pictures agree.
+/// Compares like compare_pixels(), but by the gap between the intervals; overlapping intervals are equal.
 Difference interval_distance(const Intervals& test, const Intervals& reference);
 
-/// Both ways of the sRGB curve for all of a colour, without an end at 1.
+/// Convert between linear and sRGB values, without clipping at 1.
 vec3 srgb_encoded(vec3 linear);
 vec3 srgb_decoded(vec3 srgb);
 

@@ -1,5 +1,6 @@
-// The simple explanations: each is a slip and what undoes it. One counts only if the pictures differ as they
-// are and agree once it is undone.
+// Tests simple explanations for a difference.
+// Each explanation is a common error together with the operation that undoes it. It is accepted only if the
+// pictures differ as they are and agree after it.
 #include "tools/compare/explain.h"
 
 #include <algorithm>
@@ -13,16 +14,16 @@
 namespace rt::compare {
 namespace {
 
-/// What is done to the test picture to undo a slip.
+/// An operation that undoes a common error in the test picture.
 struct Hypothesis {
     std::string name;
     std::function<Image(const Image&)> undo;
-    bool permutes = false; ///< a pixel's value stays as it is and stands elsewhere
+    bool permutes = false; ///< moves pixels without changing their values
 };
 
-// ---- the slips
+// ---- the common errors
 
-/// The picture whose pixel (x, y) is the pixel from(x, y) of another.
+/// Returns a hypothesis whose result has at (x, y) the value from(image, x, y).
 template <typename From>
 Hypothesis permuted(const std::string& name, From from) {
     return {name,
@@ -48,7 +49,7 @@ std::vector<Hypothesis> permutations(bool square) {
     std::vector<Hypothesis> hypotheses{
         permuted("flipped left to right", [](const Image& i, int x, int y) { return i(i.width - 1 - x, y); }),
         permuted("flipped upside down", [](const Image& i, int x, int y) { return i(x, i.height - 1 - y); }),
-        permuted("turned by half a turn (flipped in x and y)",
+        permuted("rotated by 180 degrees (flipped in x and y)",
                  [](const Image& i, int x, int y) { return i(i.width - 1 - x, i.height - 1 - y); })};
     if (square)
         hypotheses.push_back(
@@ -56,7 +57,7 @@ std::vector<Hypothesis> permutations(bool square) {
     return hypotheses;
 }
 
-/// A file of codes c is read as decoded(c); what should have stood in it is encoded(linear).
+/// Returns errors in colour. A file with codes c is read as decoded(c); correct codes are encoded(linear).
 std::vector<Hypothesis> colour_maps() {
     const auto power = [](float exponent) {
         return [exponent](vec3 c) { return pow(srgb_encoded(c), vec3(exponent)); };
@@ -64,8 +65,8 @@ std::vector<Hypothesis> colour_maps() {
     return {colour_mapped("red and blue swapped", [](vec3 c) { return vec3(c.z, c.y, c.x); }),
             colour_mapped("the sRGB encoding is missing", srgb_encoded),
             colour_mapped("the sRGB encoding is done twice", srgb_decoded),
-            colour_mapped("gamma 2.2 in place of sRGB", power(2.2f)),
-            colour_mapped("a square root in place of sRGB", power(2))};
+            colour_mapped("gamma 2.2 instead of sRGB", power(2.2f)),
+            colour_mapped("a square root instead of sRGB", power(2))};
 }
 
 Hypothesis scaled(const std::string& name, float gain) {
@@ -80,7 +81,8 @@ bool agrees_with(const Hypothesis& hypothesis, const Intervals& test, const Inte
     return conclude(left).same;
 }
 
-/// The variance once a slip is undone: the square of how much of a small change of a pixel's light is left.
+/// Returns the variance after the operation, by error propagation: multiplied by the square
+/// of its derivative.
 Image variance_after(const Hypothesis& hypothesis, const Image& test, const Image& undone,
                      const Image& variance) {
     if (hypothesis.permutes) return hypothesis.undo(variance);
@@ -102,7 +104,7 @@ struct Case {
     const Variances& variances;
     Intervals test_intervals, reference_intervals;
 
-    /// How much is left of the difference when the slip is undone, if it is little enough.
+    /// Returns how much of the difference is left after the operation, or nothing if it is too much.
     std::optional<double> residue(const Hypothesis& hypothesis) const {
         if (!variances.available()) {
             Difference left;
@@ -122,7 +124,7 @@ const Hypothesis as_it_is{"", [](const Image& image) { return image; }, true};
 
 // ---- one gain
 
-/// A pixel says something about a gain if it is neither black nor cut off at white.
+/// Returns whether a pixel gives information about a gain: it is neither black nor clipped at white.
 bool informs(float test, float reference, Encoding test_encoding, Encoding reference_encoding) {
     const auto cut = [](float light, Encoding encoding) {
         return encoding == Encoding::png && light > 0.99f;
@@ -131,7 +133,7 @@ bool informs(float test, float reference, Encoding test_encoding, Encoding refer
            !cut(reference, reference_encoding);
 }
 
-/// The median of reference / test; none if few pixels say anything.
+/// Returns the median of reference / test, or nothing if too few pixels give information.
 std::optional<double> exact_gain(const Case& c) {
     std::vector<float> ratios;
     std::size_t lit = 0;
@@ -147,7 +149,7 @@ std::optional<double> exact_gain(const Case& c) {
     return double(ratios[ratios.size() / 2]);
 }
 
-/// The gain with the least squares of z over the tiles.
+/// Returns the gain that minimises the sum of z^2 over the tiles.
 std::optional<double> noisy_gain(const Case& c) {
     const TileDifference tiles =
         compare_tiles(c.test.image, c.reference.image, c.variances.test, c.variances.reference);
@@ -175,7 +177,7 @@ constexpr std::array<NamedGain, 6> named_gains{{{"pi", exact_pi},
                                                 {"4 pi", 4 * exact_pi},
                                                 {"1/(4 pi)", 1 / (4 * exact_pi)}}};
 
-/// A picture of one value fits any gain, which then says nothing.
+/// Returns whether the picture varies. A constant picture fits any gain, which would mean nothing.
 bool varies(const Image& image) {
     float low = infinity, high = 0;
     for (const vec3& pixel : image.pixels) {
@@ -188,19 +190,19 @@ bool varies(const Image& image) {
 std::vector<Hypothesis> gains(const Case& c) {
     const std::optional<double> gain = c.variances.available() ? noisy_gain(c) : exact_gain(c);
     if (!gain || !std::isfinite(*gain) || *gain <= 0) return {};
-    for (const NamedGain& named : named_gains) // the slip multiplied by the inverse of what undoes it
+    for (const NamedGain& named : named_gains) // the error is the inverse of the gain that undoes it
         if (std::abs(*gain * named.value - 1) <= limits.named_gain)
-            return {scaled(std::string("all of it times ") + named.name, float(1 / named.value))};
+            return {scaled(std::string("the whole picture times ") + named.name, float(1 / named.value))};
     if (!varies(c.reference.image) || std::abs(*gain - 1) < limits.min_gain) return {};
     std::ostringstream name;
     name.precision(3);
-    name << "all of it times " << 1 / *gain;
+    name << "the whole picture times " << 1 / *gain;
     return {scaled(name.str(), float(*gain))};
 }
 
 // ---- half a pixel
 
-/// Weights a pixel and its neighbours along (dx, dy); what lies outside is what stands on the border.
+/// Returns the weighted sum of each pixel and its neighbours along (dx, dy). The border pixels are repeated.
 Image blurred(const Image& image, int dx, int dy, std::array<float, 3> weights) {
     Image result(image.width, image.height);
     const auto at = [&](int x, int y) {
@@ -215,36 +217,35 @@ Image blurred(const Image& image, int dx, int dy, std::array<float, 3> weights) 
 
 constexpr std::array<float, 3> smoothing{0.25f, 0.5f, 0.25f};
 
-/// So smooth (sigma 1.7 pixels) that the mean of two neighbours is the value half-way between them; a lamp
-/// counts as white, lest its edge outweighs the rest.
+/// Returns the picture blurred (sigma 1.7 pixels), so that the mean of two neighbours is the value half-way
+/// between them. Lights are clamped to white, so that their edges do not dominate.
 Image smoothed(Image image) {
     for (vec3& pixel : image.pixels) pixel = min(pixel, vec3(1.0f));
     for (int i = 0; i < 6; ++i) image = blurred(blurred(image, 1, 0, smoothing), 0, 1, smoothing);
     return image;
 }
 
-/// Half a pixel along (dx, dy), each -1, 0 or 1: the mean with the neighbour. Along an axis that does not
-/// move, nothing happens.
+/// Shifts by half a pixel along (dx, dy), each -1, 0 or 1, by averaging with the neighbour.
 Image half_shifted(const Image& image, int dx, int dy) {
     const Image x = dx == 0 ? image : blurred(image, dx, 0, {0, 0.5f, 0.5f});
     return dy == 0 ? x : blurred(x, 0, dy, {0, 0.5f, 0.5f});
 }
 
-/// As half_shifted(), and as blurred by it, but left in its place.
+/// Blurs as half_shifted() does, without the shift.
 Image as_smooth(const Image& image, int dx, int dy) {
     const Image x = dx == 0 ? image : blurred(image, 1, 0, smoothing);
     return dy == 0 ? x : blurred(x, 0, 1, smoothing);
 }
 
-/// The part of the difference that is left when the test is shifted. 1 if nothing differs.
+/// Returns the share of the difference that is left after the shift; 1 if there is no difference.
 double exact_shift_residue(const Image& test, const Image& reference, int dx, int dy) {
     const Image right = as_smooth(reference, dx, dy);
     const double before = root_mean_square(as_smooth(test, dx, dy), right);
     return before > 0 ? root_mean_square(half_shifted(test, dx, dy), right) / before : 1;
 }
 
-/// Of the tiles that alarm. Neighbours share what they average, so a tile's sum stays about as noisy as it
-/// was.
+/// Returns the share of outlier tiles that are left after the shift. Averaging neighbours hardly changes the
+/// noise of a tile's sum.
 double noisy_shift_residue(const Case& c, int dx, int dy) {
     const Variances& v = c.variances;
     const TileDifference before = compare_tiles(c.test.image, c.reference.image, v.test, v.reference);
@@ -253,19 +254,20 @@ double noisy_shift_residue(const Case& c, int dx, int dy) {
     return before.outliers > 0 ? double(after.outliers) / before.outliers : 1;
 }
 
-/// "shifted half a pixel to the right and down", from the shift that undoes it: if a pixel and its right
-/// neighbour make what belongs here, all of it stands too far to the right.
+/// Returns "shifted half a pixel to the right and down", given the shift that undoes it. If the mean of a
+/// pixel and its right neighbour is correct, the picture is too far to the right.
 std::string shift_in_words(int dx, int dy) {
     std::string words = dx == 0 ? "" : dx > 0 ? "to the right" : "to the left";
     if (dy != 0) words += std::string(words.empty() ? "" : " and ") + (dy > 0 ? "down" : "up");
     return "shifted half a pixel " + words;
 }
 
-/// Along one axis first: where little changes along the other, a shift along both fits about as well.
+/// Shifts along one axis come first: if the picture varies little along the other axis, a diagonal shift fits
+/// about as well.
 constexpr std::array<std::array<int, 2>, 8> straight_then_diagonal{
     {{-1, 0}, {1, 0}, {0, -1}, {0, 1}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}}};
 
-/// The shift that leaves least, or nothing if that is too much.
+/// Returns the shift that leaves the smallest difference, or "" if that is too large.
 std::string shift(const Case& c) {
     const bool noisy = c.variances.available();
     const Image test = noisy ? Image() : smoothed(c.test.image);
@@ -287,7 +289,7 @@ bool finite(const Image& image) {
     return std::all_of(image.pixels.begin(), image.pixels.end(), [](vec3 pixel) { return is_finite(pixel); });
 }
 
-/// The first of those that leave least.
+/// Returns the name of the first hypothesis that leaves the smallest difference.
 std::string best_of(const Case& c, const std::vector<Hypothesis>& hypotheses) {
     std::string best;
     double least = infinity;
@@ -303,8 +305,8 @@ std::string best_of(const Case& c, const std::vector<Hypothesis>& hypotheses) {
 } // namespace
 
 std::string explanations_tried() {
-    return "flipped, rows and columns swapped, red and blue swapped, sRGB encoding missing or twice, "
-           "gamma 2.2 or a square root for it, one gain for all of it, half a pixel of shift";
+    return "flipped, rows and columns swapped, red and blue swapped, sRGB encoding missing or done twice, "
+           "gamma 2.2 or a square root instead of it, the whole picture scaled, shifted by half a pixel";
 }
 
 std::string explain(const EncodedImage& test, const EncodedImage& reference, const Variances& variances) {

@@ -1,4 +1,4 @@
-// LDR-FLIP: a picture is blurred as the eye blurs it, colours are compared, and edges that differ count more.
+// LDR-FLIP: filters the pictures as the eye does, compares colours, and weights differences at edges more.
 #include "tools/compare/flip.h"
 
 #include "tools/compare/difference.h"
@@ -25,7 +25,7 @@ vec3 linear_from_xyz(vec3 c) {
             0.055639420f * c.x - 0.204011206f * c.y + 1.057148977f * c.z};
 }
 
-/// Luminance and two opponent colours, linear in light.
+/// Converts to YCxCz: luminance and two opponent colours, linear in light.
 vec3 ycxcz_from_linear(vec3 colour) {
     const vec3 c = xyz_from_linear(colour) / white;
     return {116 * c.y - 16, 500 * (c.x - c.y), 200 * (c.y - c.z)};
@@ -41,7 +41,7 @@ float lab_curve(float t) {
     return t > delta * delta * delta ? std::cbrt(t) : t / (3 * delta * delta) + 4.0f / 29;
 }
 
-/// CIELab with Hunt's effect: colours look less colourful in the dark.
+/// Converts to CIELab with the Hunt effect: colours look less saturated in the dark.
 vec3 hunt_lab(vec3 linear) {
     const vec3 c = xyz_from_linear(linear) / white;
     const float x = lab_curve(c.x), y = lab_curve(c.y), z = lab_curve(c.z);
@@ -49,20 +49,20 @@ vec3 hunt_lab(vec3 linear) {
     return {light, 0.01f * light * 500 * (x - y), 0.01f * light * 200 * (y - z)};
 }
 
-/// |dL| + sqrt(da^2 + db^2), raised to .7.
+/// Returns (|dL| + sqrt(da^2 + db^2))^0.7.
 float colour_distance(vec3 a, vec3 b) {
     const vec3 d = a - b;
     return std::pow(std::abs(d.x) + std::sqrt(d.y * d.y + d.z * d.z), 0.7f);
 }
 
-/// Small distances spread over [0, .95], the large ones share the rest.
+/// Maps small distances to [0, 0.95] and compresses larger ones into the rest.
 float remapped(float distance, float largest) {
     constexpr float knee = 0.4f, at_knee = 0.95f;
     if (distance < knee * largest) return distance * at_knee / (knee * largest);
     return at_knee + (distance - knee * largest) / (largest - knee * largest) * (1 - at_knee);
 }
 
-// ---- planes of numbers, and what blurs them
+// ---- single channels and their filters
 
 struct Plane {
     int width = 0, height = 0;
@@ -79,7 +79,7 @@ int radius_of(const Kernel& kernel) {
     return int(kernel.size()) / 2;
 }
 
-/// Weights the neighbours in a row; beyond the border stands what stands on it.
+/// Filters along the rows; the border pixels are repeated.
 Plane across(const Plane& in, const Kernel& kernel) {
     Plane out(in.width, in.height);
     const int radius = radius_of(kernel);
@@ -97,7 +97,7 @@ Plane across(const Plane& in, const Kernel& kernel) {
     return out;
 }
 
-/// Weights the neighbours in a column.
+/// Filters along the columns; the border pixels are repeated.
 Plane down(const Plane& in, const Kernel& kernel) {
     Plane out(in.width, in.height);
     const int radius = radius_of(kernel);
@@ -119,7 +119,7 @@ Kernel make_kernel(int radius, Weight weight) {
     return kernel;
 }
 
-/// Scales the positive weights to sum 1 and the negative ones to sum -1.
+/// Scales the positive weights so that they sum to 1, and the negative ones so that they sum to -1.
 void normalise(Kernel& kernel) {
     double positive = 0, negative = 0;
     for (const float weight : kernel) (weight > 0 ? positive : negative) += std::abs(double(weight));
@@ -128,7 +128,8 @@ void normalise(Kernel& kernel) {
 
 // ---- 1: the contrast sensitivity of the eye
 
-/// a sqrt(pi / b) exp(-pi^2 d^2 / b), d in degrees, as a row of weights of sum 1 and its share of the whole.
+/// The filter a sqrt(pi / b) exp(-pi^2 d^2 / b), d in degrees: a separable kernel with sum 1,
+/// and its integral.
 struct Gaussian {
     Kernel kernel;
     double volume = 0;
@@ -141,13 +142,13 @@ struct Gaussian {
         });
         double sum = 0;
         for (const float weight : kernel) sum += double(weight);
-        volume = a * std::sqrt(std::sqrt(pi2) / b) * sum * sum; // it stands in both directions
+        volume = a * std::sqrt(std::sqrt(pi2) / b) * sum * sum; // separable: both directions
         normalise(kernel);
     }
     Plane blur(const Plane& in) const { return down(across(in, kernel), kernel); }
 };
 
-/// The three channels of a picture in YCxCz, not a finite number as black.
+/// Returns the YCxCz channels of a picture; non-finite pixels count as black.
 std::vector<Plane> planes_of(const Image& image) {
     std::vector<Plane> planes(3, Plane(image.width, image.height));
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
@@ -158,7 +159,7 @@ std::vector<Plane> planes_of(const Image& image) {
     return planes;
 }
 
-/// Each pixel as the eye sees it, in Hunt-adjusted CIELab.
+/// Returns each pixel after the filter of the eye, in Hunt-adjusted CIELab.
 std::vector<vec3> seen(const std::vector<Plane>& planes, double pixels_per_degree) {
     const Plane y = Gaussian(1, 0.0047, pixels_per_degree).blur(planes[0]);
     const Plane cx = Gaussian(1, 0.0053, pixels_per_degree).blur(planes[1]);
@@ -175,7 +176,7 @@ std::vector<vec3> seen(const std::vector<Plane>& planes, double pixels_per_degre
 
 // ---- 2: edges and points
 
-/// How strong an edge and a point each pixel is part of.
+/// The strength of edges and points at each pixel.
 struct Features {
     std::vector<float> edge, point;
 };
@@ -187,7 +188,8 @@ std::vector<float> lengths(const Plane& x, const Plane& y) {
     return result;
 }
 
-/// The first and second derivative of a Gaussian that is as wide as the features that the eye looks for.
+/// Detects edges and points by the first and second derivatives of a Gaussian, as wide as the features that
+/// the eye detects.
 Features features(Plane light, double pixels_per_degree) {
     for (float& y : light.values) y = (y + 16) / 116;
     const double sigma = 0.5 * 0.082 * pixels_per_degree;

@@ -1,5 +1,4 @@
-// Would a person see the difference? LDR-FLIP, from 0 (never) to 1, for every pixel (Andersson et al., HPG
-// 2020).
+// LDR-FLIP: how visible the difference is, from 0 (not at all) to 1, per pixel (Andersson et al., HPG 2020).
 #pragma once
 
 #include "common/image/image.h"
@@ -8,7 +7,7 @@
 
 namespace rt::compare {
 
-/// A screen of .7 m and 3840 pixels, seen from .7 m: distance * pixels / width * pi / 180.
+/// A screen 0.7 m wide with 3840 pixels, seen from 0.7 m: distance * pixels / width * pi / 180.
 inline constexpr double usual_pixels_per_degree = 0.7 * 3840 / 0.7 * 3.14159265358979323846 / 180;
 
 struct FlipMap {
@@ -18,8 +17,8 @@ struct FlipMap {
     double max = 0;
 };
 
-/// Of linear light; what lies outside of [0, 1] is clamped. A pixel that is not finite in one of the two has
-/// the error 1. Throws Error if the sizes differ.
+/// Compares pictures in linear RGB; values outside [0, 1] are clamped. A pixel that is not finite in one of
+/// the two has the error 1. Throws Error if the sizes differ.
 FlipMap flip(const Image& reference, const Image& test, double pixels_per_degree = usual_pixels_per_degree);
 
 } // namespace rt::compare

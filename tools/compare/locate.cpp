@@ -1,4 +1,4 @@
-// Sums up what differs: in which part of the picture, in which direction, and by how much.
+// Summarises a difference: in which part of the picture, in which direction, and by how much.
 #include "tools/compare/locate.h"
 
 #include <algorithm>
@@ -9,12 +9,12 @@
 namespace rt::compare {
 namespace {
 
-/// All that differs, in one place or many.
+/// Sums over all pixels that differ.
 struct Sum {
-    std::vector<double> columns, rows; ///< how much of it stands in each
+    std::vector<double> columns, rows; ///< how much each column or row contributes
     std::size_t pixels = 0;
-    double brighter = 0, darker = 0;  ///< luminance
-    vec3 test{0.0f}, reference{0.0f}; ///< sums that a float holds well enough
+    double brighter = 0, darker = 0;  ///< sums of the changes of luminance
+    vec3 test{0.0f}, reference{0.0f}; ///< sums; float is precise enough
     Sum(int width, int height) : columns(std::size_t(width)), rows(std::size_t(height)) {}
 
     void add(int x, int y, vec3 t, vec3 r) {
@@ -29,7 +29,7 @@ struct Sum {
     }
 };
 
-/// The stretch that leaves a twentieth on either side.
+/// Finds the range of indices that leaves out 5 % of the sum at each end.
 void middle_of(const std::vector<double>& amounts, int& begin, int& end) {
     double whole = 0, sum = 0;
     for (const double amount : amounts) whole += amount;
@@ -50,15 +50,15 @@ std::string percent(double share) {
     return words.str();
 }
 
-/// Which channel is too strong or too weak for the others.
+/// Returns which channel is too strong or too weak.
 std::string colour_in_words(vec3 test, vec3 reference) {
     const char* const names[] = {"red", "green", "blue"};
     const vec3 d = test - reference;
     int channel = 0;
     for (int i = 1; i < 3; ++i)
         if (std::abs(d[i]) > std::abs(d[channel])) channel = i;
-    return std::string("of another colour (too ") + (d[channel] > 0 ? "much " : "little ") + names[channel] +
-           ")";
+    return std::string("in a different colour (too ") + (d[channel] > 0 ? "much " : "little ") +
+           names[channel] + ")";
 }
 
 std::string how(const Sum& sum) {
@@ -98,7 +98,7 @@ bool is_marked(vec3 pixel) {
 } // namespace
 
 std::string place_in_words(const Region& box, int width, int height) {
-    // -1, 0, 1: the third in which the middle of [begin, end) lies; 2: it is too long to say.
+    // Returns the third that contains the middle of [begin, end): -1, 0 or 1; 2 if the range is too long.
     const auto third = [](int begin, int end, int size) {
         if (end - begin > 0.6 * size) return 2;
         const double middle = 0.5 * (begin + end) / size;

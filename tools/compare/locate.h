@@ -1,4 +1,4 @@
-// Where do two pictures differ, and how: "too bright by 12 % in the lower left".
+// Finds where and how two pictures differ: "too bright by 12 % in the lower left".
 #pragma once
 
 #include "tools/compare/difference.h"
@@ -15,22 +15,23 @@ struct Region {
 
 struct Location {
     std::string words; ///< empty if nothing differs
-    Region box;        ///< round nine tenths of what differs
-    double share = 0;  ///< of the picture's pixels, or of its tiles
+    Region box;        ///< contains the middle 90 % of the difference, in x and in y
+    double share = 0;  ///< share of the pixels that differ, or are in tiles that do
 };
 
-/// Pixels whose channels differ by more than the tolerance.
+/// Locates the pixels with a channel that differs by more than the tolerance.
 Location locate_difference(const Image& test, const Image& reference);
-/// Tiles that differ by more than noise explains.
+/// Locates the tiles that differ by more than noise explains.
 Location locate_difference(const TileDifference& tiles, const Image& test, const Image& reference);
 
-/// "in the lower left", "on the right", "at the top", "in the middle", "all over the picture".
+/// Returns "in the lower left", "on the right", "at the top", "in the middle", "all over the picture".
 std::string place_in_words(const Region& box, int width, int height);
 
-/// A pixel that is not a number, or magenta as write_image() leaves it, where the reference is neither.
+/// The pixels that are NaN or infinite, or magenta as write_image() stores them, where the
+/// reference is neither.
 struct NotANumber {
     std::size_t pixels = 0;
-    int x = 0, y = 0; ///< the first, in reading order
+    int x = 0, y = 0; ///< the first one, row by row
 };
 NotANumber not_a_number(const Image& test, const Image& reference);
 

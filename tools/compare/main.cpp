@@ -1,4 +1,4 @@
-// Is this the same picture? compare A B: exit 0 if it is, 1 if it is not, 2 if one cannot be read.
+// compare A B: is A the same picture as B? Exit code: 0 yes, 1 no, 2 one cannot be read.
 #include "tools/compare/comparison.h"
 #include "common/util/report_error.h"
 #include "common/util/error.h"
@@ -20,32 +20,31 @@ struct Command {
 };
 
 void declare(CLI::App& app, Command& command) {
-    app.add_option("A", command.test, "the picture to judge, .hdr or .png")->required();
+    app.add_option("A", command.test, "the picture to compare, .hdr or .png")->required();
     app.add_option("B", command.reference, "the reference, .hdr or .png")->required();
     CLI::Option* const a =
         app.add_option("--variance-a", command.test_variance,
-                       "variance of A's pixels (.hdr): then only what noise does not explain counts");
+                       "variance of A's pixels (.hdr): differences that noise explains do not count");
     CLI::Option* const b =
         app.add_option("--variance-b", command.reference_variance, "variance of B's pixels (.hdr)");
     a->needs(b);
     b->needs(a);
-    app.add_option("--known", command.known, "a folder of wrong pictures: is A one of them?");
-    app.add_option("--step", command.step, "the step that both are of: its limits hold")
-        ->check(CLI::Range(1, 8));
-    app.add_option("--json", command.json, "where to write the verdict as JSON; - is the standard output");
+    app.add_option("--known", command.known, "a folder of known wrong pictures: is A one of them?");
+    app.add_option("--step", command.step, "use the limits of this step")->check(CLI::Range(1, 8));
+    app.add_option("--json", command.json, "write the verdict as JSON to this file; - is stdout");
     app.add_option(
         "--map", command.map,
-        "where to draw the differences (.png): FLIP from black to yellow, or, with variances, red where "
-        "A is too bright and blue where it is too dark");
+        "write an error map to this file (.png): FLIP from black to yellow; with variances, red where A "
+        "is too bright and blue where it is too dark");
 }
 
-/// Better before the work than after it.
+/// Fails early if an output cannot be written.
 void check_outputs(const Command& command) {
     if (!command.map.empty()) rt::check_writable(command.map);
     if (!command.json.empty() && command.json != "-") rt::check_file_writable(command.json);
 }
 
-rt::compare::Comparison answer(const Command& command) {
+rt::compare::Comparison run_comparison(const Command& command) {
     rt::compare::ComparisonInput input{rt::compare::read_encoded(command.test),
                                        rt::compare::read_encoded(command.reference)};
     if (!command.test_variance.empty())
@@ -63,7 +62,7 @@ void report(const Command& command, const rt::compare::Comparison& comparison) {
         std::cout << json;
     else
         for (const std::string& line : comparison.lines) std::cout << rt::printable(line) << "\n";
-    if (!std::cout.flush()) throw rt::Error("stdout takes no more text (is the disk full?)");
+    if (!std::cout.flush()) throw rt::Error("cannot write to stdout (is the disk full?)");
 }
 
 } // namespace
@@ -77,7 +76,7 @@ int main(int argc, char** argv) {
     try {
         app.parse(argc, argv);
         check_outputs(command);
-        const rt::compare::Comparison comparison = answer(command);
+        const rt::compare::Comparison comparison = run_comparison(command);
         report(command, comparison);
         return rt::compare::is_same(comparison.verdict) ? 0 : 1;
     } catch (const CLI::Success& help) {

@@ -1,5 +1,4 @@
-# Makes the rendered pictures of docs/01_spheres.md: the normals that the camera sees, and a wide angle of view
-# from close by.
+# Renders the pictures of docs/01_spheres.md: the normals, and a wide field of view from close by.
 # shellcheck shell=bash
 source "$ROOT/tools/figures/common.sh"
 

@@ -1,4 +1,4 @@
-# Makes the rendered pictures of docs/02_shadows.md: the scene by one lamp alone, with the sky.
+# Renders the pictures of docs/02_shadows.md: the scene lit by each light alone, and the sky.
 # shellcheck shell=bash
 source "$ROOT/tools/figures/common.sh"
 

@@ -1,4 +1,4 @@
-# The pictures of the chapter on mirrors: the same pixels with 0, 1, 2 and 100 mirrors allowed on a ray's way.
+# Renders the pictures of docs/03_mirror.md: the same view with a depth of 0, 1, 2 and 100 mirrors.
 # shellcheck shell=bash
 source "$ROOT/tools/figures/common.sh"
 

@@ -1,4 +1,4 @@
-# The pictures of the chapter on glass: the same balls with 1, 2, 4 and 10 boundaries allowed on a ray's way.
+# Renders the pictures of docs/04_refraction.md: the same view with a depth of 1, 2, 4 and 10 interfaces.
 # shellcheck shell=bash
 source "$ROOT/tools/figures/common.sh"
 

@@ -1,5 +1,6 @@
-# Makes the rendered pictures of chapter 05: surfaces crossed, normals, the work that a ray is, and where light ends on
-# coarse and fine balls.
+# Renders the pictures of docs/05_mesh_bvh.md.
+# They show depth complexity, normals, traversal cost, and shading at the terminator of coarse
+# and fine spheres.
 # shellcheck shell=bash
 # shellcheck source=tools/figures/common.sh
 source "$ROOT/tools/figures/common.sh"
@@ -9,7 +10,8 @@ picture 05_normals 05_mesh_bvh --view normal --width 480 --height 300 --samples 
 picture 05_work_bvh 05_mesh_bvh --view work --accel bvh --width 480 --height 300 --samples 1
 picture 05_work_wide 05_mesh_bvh --view work --accel wide --width 480 --height 300 --samples 1
 
-# ball ROWS COLUMNS: an OBJ of a ball of radius 1, without normals, of so many faces from pole to pole and around.
+# ball ROWS COLUMNS: prints the OBJ of a sphere of radius 1, without normals, with this many faces from pole
+# to pole and around the axis.
 ball() {
     awk -v rows="$1" -v columns="$2" 'BEGIN {
         pi = atan2(0, -1)

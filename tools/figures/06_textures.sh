@@ -1,11 +1,11 @@
-# Makes the rendered pictures of chapter 06: texture coordinates, a card with holes, a close look at texels, and a card
-# that repeats.
+# Renders the pictures of docs/06_textures.md.
+# They show texture coordinates, a card with holes, a close-up of texels, and a repeated card.
 # shellcheck shell=bash
 # shellcheck source=tools/figures/common.sh
 source "$ROOT/tools/figures/common.sh"
 
 picture 06_uv 06_textures --view uv --width 480 --height 300 --samples 4
-# The card of the section on holes: the chapter shows these lines, in renders/.
+# The card in the section on holes. The chapter shows the same lines, with files in renders/.
 cp "$ROOT/assets/test_card.png" "$made"
 printf '%s\n' 'newmtl card' 'map_Kd test_card.png' 'map_d test_card.png' >"$made/card.mtl"
 printf '%s\n' 'mtllib card.mtl' 'v -3 0 0' 'v 3 0 0' 'v 3 3 -2.6' 'v -3 3 -2.6' >"$made/card.obj"

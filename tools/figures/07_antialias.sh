@@ -1,21 +1,22 @@
-# Makes the figures of chapter 07: every pixel asked in its middle alone, the picture of the variance, a lens that is sharp
-# at the cat, and the plot of error against samples for the three samplers.
+# Creates the figures of docs/07_antialias.md.
+# They show one sample at the centre of each pixel, the variance, a lens focused on the cat, and a plot of the
+# error against samples for the three samplers.
 # shellcheck shell=bash
 source "$ROOT/tools/figures/common.sh"
 
 picture 07_middle 07_antialias --samples 1 --filter-width 0 --width 480 --height 300
 picture 07_focus 07_antialias --aperture 0.3 --focus 4.4 --samples 64 --width 480 --height 300
 
-# Four random samples a pixel, and the variance of their mean beside it.
+# Four random samples per pixel, with the variance of their mean beside it.
 four=(--sampler random --samples 4 --width 480 --height 300)
-echo "docs/figures/07_variance.png: 07_antialias ${four[*]}; left the picture, right the file of --variance"
+echo "docs/figures/07_variance.png: 07_antialias ${four[*]}; left: the picture, right: the file of --variance"
 "$BUILD/bin/07_antialias" --quiet "${four[@]}" --out "$made/four samples" --variance "$made/their variance.hdr"
 "$BUILD/bin/contact_sheet" "$figures/07_variance.png" "$made/four samples.hdr" "$made/their variance.hdr"
 
-# The root of the mean squared error against a converged picture, for each sampler and number of samples.
+# RMS error against a converged picture, for each sampler and number of samples.
 small=(--quiet --width 200 --height 125)
 "$BUILD/bin/07_antialias" "${small[@]}" --samples 2048 --seed 99 --out "$made/07_truth"
-rmse() { # rmse NAME: of that picture
+rmse() { # rmse NAME: prints the RMS error of that picture
     { "$BUILD/bin/compare" "$made/$1.hdr" "$made/07_truth.hdr" --json - || true; } | sed -n 's/.*"rmse": *\([-0-9.e]*\).*/\1/p' | xargs printf '%.6g'
 }
 {
@@ -25,7 +26,7 @@ rmse() { # rmse NAME: of that picture
     echo 'x_label = "samples per pixel"'
     echo 'y_label = "error (RMSE of linear radiance)"'
     echo 'styles = "1 2 3"'
-    # shellcheck disable=SC2016 # $data is gnuplot's
+    # shellcheck disable=SC2016 # $data is for gnuplot
     echo '$data << END'
     for sampler in random stratified sobol; do
         [ $sampler = random ] || printf '\n\n'

@@ -1,5 +1,6 @@
-# Makes the figures of chapter 08: the room without indirect light, the furnace before and after the bounce, three ways to
-# look for lamps at equal samples, and the plot of error against time, whose data `./learn bench convergence` measures.
+# Creates the figures of docs/08_indirect.md.
+# They show the room without indirect light, the furnace with depth 0 and 1, three ways to sample the light
+# with equal samples, and a plot of the error against time, measured by `./learn bench convergence`.
 # shellcheck shell=bash
 source "$ROOT/tools/figures/common.sh"
 
@@ -15,11 +16,12 @@ for depth in 0 1; do
 done
 "$BUILD/bin/contact_sheet" "$figures/08_furnace.png" "$made/depth 0.png" "$made/depth 1.png"
 
-# The benchmark is built by `./learn bench`; without it the plot is drawn from the numbers that are there.
+# `./learn bench` builds the benchmark. Without it the plot is drawn from the existing data.
 bench=$ROOT/build/bench/bin/bench_convergence
 [ -x "$BUILD/bin/bench_convergence" ] && bench=$BUILD/bin/bench_convergence
 flags=(--scenes room --size 64 --most 128 --truth 4096 --repeats 2)
-# The relative error leaves out the worst thousandth of the pixels: the rim of the lamp and rare bright dots would decide.
+# The relative error excludes the worst 0.1 % of the pixels; otherwise the rim of the light and rare bright
+# dots would dominate.
 curve() { # curve ESTIMATOR SAMPLER
     printf '"%s, %s"\n' "$1" "$2"
     tr -d '\n' <"$made/08_noise.json" | tr '{' '\n' | grep "\"$1\"" | grep "\"$2\"" |
@@ -32,11 +34,11 @@ if [ -x "$bench" ]; then
         echo "# Measured by tools/figures/08_indirect.sh: bench_convergence ${flags[*]}"
         grep '^|' "$made/08_noise.md" | sed 's/^/# /'
         echo 'kind = "curves"'
-        echo 'title = "Error against time in the room, for each way to look for light"'
+        echo 'title = "Error against time in the room, for each way to sample light"'
         echo 'x_label = "processor seconds"'
-        echo 'y_label = "relative error, without the worst thousandth"'
+        echo 'y_label = "relative error, without the worst 0.1 %"'
         echo 'styles = "1 11 13 15 12"'
-        # shellcheck disable=SC2016 # $data is gnuplot's
+        # shellcheck disable=SC2016 # $data is for gnuplot
         echo '$data << END'
         curve MIS sobol
         for estimator in MIS lights bounces book; do

@@ -1,12 +1,12 @@
-# What the scripts of the chapters share; ./learn figures runs them with ROOT and BUILD set.
+# Functions shared by the scripts of the chapters. ./learn figures runs them with ROOT and BUILD set.
 # shellcheck shell=bash
 set -euo pipefail
 
 figures=$ROOT/docs/figures
-made=$BUILD/figures # what is made on the way
+made=$BUILD/figures # intermediate files
 mkdir -p "$figures" "$made"
 
-# picture NAME STEP FLAGS...: renders docs/figures/NAME.png with the step's program, and prints how.
+# picture NAME STEP FLAGS...: renders docs/figures/NAME.png with the step's program, and prints the command.
 picture() {
     local name=$1 step=$2
     shift 2
@@ -15,11 +15,12 @@ picture() {
     cp "$made/$name.png" "$figures/$name.png"
 }
 
-# plot NAME: draws docs/figures/NAME.svg from docs/figures/NAME.txt (tools/figures/plot.gp says what is in it).
+# plot NAME: draws docs/figures/NAME.svg from docs/figures/NAME.txt (tools/figures/plot.gp
+# describes its format).
 plot() {
     echo "docs/figures/$1.svg: from $1.txt"
     command -v gnuplot >/dev/null || {
-        echo "figures: gnuplot draws the plots, and is not here; on Debian: apt-get install gnuplot-nox" >&2
+        echo "figures: gnuplot is needed for the plots; on Debian: apt-get install gnuplot-nox" >&2
         exit 1
     }
     (cd "$figures" && gnuplot -c "$ROOT/tools/figures/plot.gp" "$1.txt" "$1.svg")

@@ -1,14 +1,16 @@
-# gnuplot -c plot.gp DATA.txt OUT.svg: draws a plot that is legible on a light page and on a dark one. DATA.txt is loaded
-# first: it sets `kind`, `title` and `y_label`, and gives the numbers as the data block $data. The kinds:
-#   curves  both axes logarithmic: blocks of lines "x y", two empty lines apart, the name of the curve in quotes above each.
-#           Also set: `x_label`, and `styles`: per curve a colour, 1 to 6, plus 10 for dashes
-#   bars    a column per series, its name above it; a row per group, its name in front. Also set: `reference`, a line (0: none)
-#   shares  as bars, stacked: the shares of a row, in percent
+# gnuplot -c plot.gp DATA.txt OUT.svg: draws a plot that is legible on light and on dark pages.
+# DATA.txt is loaded first: it sets `kind`, `title` and `y_label`, and defines the data block $data. The kinds:
+#   curves  logarithmic axes. $data has a block of lines "x y" per curve, below its name in quotes, separated by two
+#           empty lines. Also set `x_label`, and `styles`: for each curve a colour from 1 to 6, plus 10 for dashes
+#   bars    grouped columns. $data has a column per series with its name on top, and a row per group with its name in
+#           front. Also set `reference`: the height of a horizontal line (0: none)
+#   shares  stacked columns: like bars, with the shares of each row in percent
 load ARG1
 
 height = kind eq "curves" ? 472 : 420
 set terminal svg size 760, height noenhanced font "sans-serif,13" background "#ffffff"
-# A dark page turns the lightness round and leaves the hue. Without gnuplot's version, equal numbers make equal files.
+# On a dark page the lightness is inverted and the hue kept. gnuplot's version is removed, so that equal data
+# give equal files.
 style = "text { font-family: system-ui, sans-serif } @media (prefers-color-scheme: dark) \
     { #gnuplot_canvas { filter: invert(.92) hue-rotate(180deg) } }"
 set output sprintf("| sed -e 's|<title>Gnuplot</title>|<style>%s</style>|; /^<desc>/d; s|<title>gnuplot_plot_.*</title>||' \
@@ -33,7 +35,7 @@ if (kind eq "curves") {
     set xlabel x_label tc rgb "#5d6770"
     set xrange [STATS_min_x / 1.25:STATS_max_x * 1.25]
     set yrange [STATS_min_y / 1.25:STATS_max_y * 1.25]
-    # Powers of ten, and as many round numbers between them as there is room for.
+    # Tics at powers of ten, and at round numbers between them if there is room.
     name(v) = v < 1000 ? sprintf("%g", v) : gprintf("%.0s%c", v)
     marks(ratio) = ratio > 400 ? "1" : ratio > 8 ? "1 2 5" : "1 1.5 2 3 4 5 6 8"
     set xtics () ; set ytics ()
@@ -65,5 +67,5 @@ if (kind eq "curves") {
             reference > 0 ? reference : NaN lc rgb "#1f2429" dt (2, 4) notitle
     }
 }
-# The pipe is closed here, so that the file is whole when gnuplot ends.
+# Closes the pipe, so that the file is complete when gnuplot exits.
 unset output

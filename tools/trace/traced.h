@@ -22,8 +22,8 @@ using TracedScene = Counted<Scene>;
 
 namespace trace {
 
-inline int depth = 0;   ///< how many calls of radiance() are under way
-inline int samples = 0; ///< that have begun
+inline int depth = 0;   ///< depth of the recursion of radiance()
+inline int samples = 0; ///< samples begun so far
 
 inline bool wanted() {
     static const char* const chosen = std::getenv("RAYSTEPS_TRACE_SAMPLE");
@@ -45,7 +45,8 @@ inline std::string text(vec3 v) {
     return text;
 }
 
-/// "Mirror", of a rt::Mirror: what the compiler calls this function ends in it.
+/// Returns "Mirror" for a rt::Mirror: the name of this function, as the compiler writes it, ends
+/// with the type.
 template <typename Material>
 std::string name_of(const Material&) {
     std::string_view own = __PRETTY_FUNCTION__;
@@ -54,7 +55,7 @@ std::string name_of(const Material&) {
     return std::string(own.substr(own.rfind(':') + 1));
 }
 
-/// A point in the coordinates that the user knows: those of the model's file, which may be far from 0.
+/// Formats a point in the coordinates of the model's file, whose origin may be far from that of the scene.
 inline std::string place([[maybe_unused]] const Scene& scene, vec3 point) {
 #if RT_STEP >= 5
     if (const dvec3 origin = scene.mesh.origin; origin != dvec3(0)) {
@@ -68,11 +69,11 @@ inline std::string place([[maybe_unused]] const Scene& scene, vec3 point) {
 }
 
 inline void say_hit(const Scene& scene, const Ray& ray, const std::optional<Hit>& hit) {
-    say("ray from %s towards %s", place(scene, ray.origin).c_str(), text(ray.direction).c_str());
-    if (!hit) return say("  meets %s", "nothing");
+    say("ray from %s, direction %s", place(scene, ray.origin).c_str(), text(ray.direction).c_str());
+    if (!hit) return say("  hits %s", "nothing");
     const auto& material = scene.materials[std::size_t(hit->material)];
     const std::string name = std::visit([](const auto& arm) { return name_of(arm); }, material);
-    say("  meets material %d, %s %s, at t = %.6g%s", hit->material,
+    say("  hits material %d, %s %s, at t = %.6g%s", hit->material,
         name.find_first_of("AEIOU") == 0 ? "an" : "a", name.c_str(), double(hit->t),
         hit->back_face ? ", from inside" : "");
     say("  point %s, normal %s, uv (%.4g %.4g)", place(scene, hit->position).c_str(),
@@ -85,7 +86,7 @@ vec3 below(const Radiance& radiance) {
     if (depth == 0) ++samples;
     ++depth;
     const vec3 back = radiance();
-    say("brings back %s", text(back).c_str());
+    say("returns %s", text(back).c_str());
     --depth;
     return back;
 }
@@ -102,12 +103,12 @@ inline std::optional<Hit> intersect(const TracedScene& scene, const Ray& ray) {
 inline bool occluded(const TracedScene& scene, const Ray& ray) {
     const bool dark = occluded<Scene>(scene, ray);
     trace::say("shadow ray from %s to %s: %s", trace::place(scene, ray.origin).c_str(),
-               trace::place(scene, at(ray, ray.t_max)).c_str(), dark ? "something is between" : "free");
+               trace::place(scene, at(ray, ray.t_max)).c_str(), dark ? "occluded" : "unoccluded");
     return dark;
 }
 #endif
 
-// The recursion of a radiance.h comes back to these: a function that is no template fits better than one that is.
+// The recursion in radiance.h calls these: a function that is not a template is preferred.
 #if RT_STEP <= 2
 inline vec3 radiance(const TracedScene& scene, const Ray& ray) {
     return trace::below([&] { return radiance<TracedScene>(scene, ray); });

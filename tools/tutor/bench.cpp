@@ -1,4 +1,4 @@
-// ./learn bench: builds the benchmarks, runs them one after another, and writes a report of their numbers.
+// ./learn bench: builds the benchmarks, runs them in sequence, and writes a report of the results.
 #include "common/util/report_error.h"
 #include "common/util/error.h"
 #include "common/util/file_bytes.h"
@@ -17,12 +17,12 @@ namespace {
 
 struct Benchmark {
     std::string name, target;
-    std::string package;              ///< what it also needs, on Debian
-    Words defaults, quick;            ///< "--flag=value", for a flag that is not given
-    std::string json_flag = "--json"; ///< how its program is told where to write its numbers
+    std::string package;              ///< the Debian package that it needs in addition
+    Words defaults, quick;            ///< each "--flag=value", used if the user does not set that flag
+    std::string json_flag = "--json"; ///< the program's flag for the JSON output file
 };
 
-const std::vector<Benchmark>& benchmarks() { // in the order of the report
+const std::vector<Benchmark>& benchmarks() { // in the order in which the report shows them
     static const std::vector<Benchmark> all{
         {"traversal", "bench_traversal", "libembree-dev", {}, {"--quick"}},
         {"scaling",
@@ -50,7 +50,8 @@ std::vector<Benchmark> find_benchmarks(const std::string& name) {
         names += " " + benchmark.name;
     }
     if (found.empty())
-        throw Error("there is no benchmark '" + printable(name) + "'; there are all" + names + " loop");
+        throw Error("there is no benchmark '" + printable(name) + "'; the benchmarks are all" + names +
+                    " loop");
     return found;
 }
 
@@ -58,7 +59,7 @@ bool asks_for_help(const Words& flags) {
     return contains(flags, "-h") || contains(flags, "--help");
 }
 
-/// Offers what only benchmarks need: asks on a terminal, and says how elsewhere.
+/// Offers to install packages that only benchmarks need: asks on a terminal, otherwise prints the command.
 void offer_packages(const fs::path& root, const std::vector<Benchmark>& chosen) {
     Words missing;
     for (const Benchmark& benchmark : chosen) {
@@ -76,12 +77,13 @@ void offer_packages(const fs::path& root, const std::vector<Benchmark>& chosen) 
     std::string answer;
     if (is_terminal(0) && is_terminal(1)) {
         std::cout << "install " << joined(missing, " ")
-                  << ", to compare with Embree and to time the kernels? [y/N] " << std::flush;
+                  << " to compare with Embree and to time the kernels? [y/N] " << std::flush;
         std::getline(std::cin, answer);
     }
     if (answer != "y" && answer != "Y" && answer != "yes") {
-        std::cout << "not installed: " << joined(missing, " ") << "; for all columns: apt-get install "
-                  << joined(missing, " ") << std::endl;
+        std::cout << "not installed: " << joined(missing, " ")
+                  << "; some results will be missing. To get them: apt-get install " << joined(missing, " ")
+                  << std::endl;
         return;
     }
     Words setup{(root / "learn").string(), "setup"};
@@ -89,9 +91,9 @@ void offer_packages(const fs::path& root, const std::vector<Benchmark>& chosen) 
     if (run_process(setup).code != 0) throw CommandFailed("the packages could not be installed");
 }
 
-/// Leaves out what cannot be built here: a program may lack its package.
+/// Returns the benchmarks that can be built here. A benchmark whose package is missing has no build target.
 std::vector<Benchmark> buildable(const Preset& preset, const std::vector<Benchmark>& chosen) {
-    configure(preset, true); // look for the packages again
+    configure(preset, true); // detects packages that were installed since the last time
     const std::string rules = read_file((preset.folder() / "build.ninja").string());
     std::vector<Benchmark> kept;
     for (const Benchmark& benchmark : chosen)
@@ -102,7 +104,7 @@ std::vector<Benchmark> buildable(const Preset& preset, const std::vector<Benchma
     return kept;
 }
 
-/// The defaults, but for flags that are given, and then what is given.
+/// Returns the given flags, preceded by those defaults that they do not override.
 Words with_defaults(const Words& defaults, const Words& given) {
     Words flags;
     for (const std::string& flag : defaults) {
@@ -116,7 +118,7 @@ Words with_defaults(const Words& defaults, const Words& given) {
     return flags;
 }
 
-/// Runs one benchmark, which writes NAME.json into `out`.
+/// Runs one benchmark, which writes NAME.json into `out`. Throws Stop or CommandFailed.
 void run(const Preset& preset, const Benchmark& benchmark, const BenchOptions& options, const fs::path& out) {
     const fs::path json = out / (benchmark.name + ".json");
     std::cout << "--- " << benchmark.name << std::endl;
@@ -129,15 +131,16 @@ void run(const Preset& preset, const Benchmark& benchmark, const BenchOptions& o
     wait_for_program(command[0]);
     const int code = run_process(command).code;
     std::error_code missing;
-    const bool written = fs::file_size(json, missing) > 0 && !missing; // Google Benchmark always ends with 0
-    if (code == 2 || (code == 0 && !written)) throw Stop{2};           // the program has said what is wrong
+    const bool written = fs::file_size(json, missing) > 0 && !missing; // Google Benchmark always exits with 0
+    if (code == 2 || (code == 0 && !written)) throw Stop{2};           // the program has printed the error
     if (code == 129 || code == 130 || code == 143) throw Stop{code};
     if (code != 0)
-        throw CommandFailed("the benchmark " + benchmark.name + " ended with exit code " +
+        throw CommandFailed("the benchmark " + benchmark.name + " failed with exit code " +
                             std::to_string(code));
 }
 
-/// {"traversal": {...}, ...}, or the numbers of the one benchmark that was asked for.
+/// Returns the results as JSON: {"traversal": {...}, ...}, or without the outer object if
+/// `one` was requested.
 std::string numbers(const std::vector<Benchmark>& chosen, const fs::path& out, bool one) {
     std::string text;
     for (const Benchmark& benchmark : chosen) {
@@ -161,8 +164,8 @@ void run_benchmarks(const Project& project, const BenchOptions& options) {
     const Preset preset{project.root, "bench"};
     const bool all = options.name.empty() || options.name == "all";
     if (all && !options.flags.empty())
-        throw Error("bench does not know '" + printable(options.flags[0]) +
-                    "'; the flags of one benchmark go after its name: ./learn bench traversal --help");
+        throw Error("unknown argument '" + printable(options.flags[0]) +
+                    "'; flags for one benchmark go after its name: ./learn bench traversal --help");
     const fs::path out = options.out.empty() ? preset.folder() / "report" : fs::path(options.out);
     if (!options.json.empty()) check_file_writable(options.json);
     make_folder(out);

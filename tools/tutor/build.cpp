@@ -1,4 +1,4 @@
-// Reads "file:line:column: error: message", which GCC and Clang agree on.
+// Runs CMake and ninja, and finds the first error in their output ("file:line:column: error: message").
 #include "tools/tutor/build.h"
 
 #include "common/util/report_error.h"
@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What stands before the last colon, which is taken off; empty if there is none.
+/// Removes the last colon and the text after it, and returns that text; empty if there is no colon.
 std::string last_part(std::string& text) {
     const std::size_t colon = text.rfind(':');
     if (colon == std::string::npos) return "";
@@ -45,7 +45,7 @@ std::optional<CompileError> error_in(const std::string& line) {
     return std::nullopt;
 }
 
-/// The build tool names what it has made, line by line.
+/// Returns whether the build tool has reported that it linked the target: it prints one line per output.
 bool is_linked(const fs::path& log, const std::string& target) {
     std::ifstream lines(log);
     for (std::string line; std::getline(lines, line);)
@@ -68,23 +68,23 @@ std::optional<CompileError> first_error(const std::string& log, const std::strin
 
 BuildResult build_targets(const fs::path& build, const Words& targets, const fs::path& log,
                           const std::string& preferred, const std::function<void()>& on_first) {
-    const std::string jobs = std::to_string(usable_cores()); // ninja takes two more
+    const std::string jobs = std::to_string(usable_cores()); // ninja's default is two more
     Words command{"cmake", "--build", build.string(), "--parallel", jobs, "--target"};
     command.insert(command.end(), targets.begin(), targets.end());
     auto process = std::async(std::launch::async, [&] {
         const BuildLock alone(build);
         return run_process(command, {.log = log});
     });
-    bool told = !on_first;
+    bool notified = !on_first;
     while (process.wait_for(std::chrono::milliseconds(20)) != std::future_status::ready) {
-        if (told || !is_linked(log, targets[0])) continue;
-        told = true;
+        if (notified || !is_linked(log, targets[0])) continue;
+        notified = true;
         on_first();
     }
     const int code = process.get().code;
     BuildResult result{code == 0, code, std::nullopt, read_file(log.string())};
     if (!result.succeeded) result.error = first_error(result.log, preferred);
-    if (result.succeeded && !told) on_first();
+    if (result.succeeded && !notified) on_first();
     return result;
 }
 
@@ -97,8 +97,9 @@ fs::path log_of(const Preset& preset) {
 [[noreturn]] void give_up(const Preset& preset) {
     std::cout << "failed" << std::endl;
     for (const std::string& line : lines_of(read_file(log_of(preset).string()))) print_error_line(line);
-    throw CommandFailed("the build failed; its output stands above and in " + log_of(preset).string() +
-                        "; if your files are not the cause, remove " + preset.folder().string());
+    throw CommandFailed("the build failed; its output is above and in " + log_of(preset).string() +
+                        "; if your files are not the cause, remove " + preset.folder().string() +
+                        " and try again");
 }
 
 void configure_locked(const Preset& preset, bool again) {

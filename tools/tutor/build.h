@@ -1,4 +1,4 @@
-// Builds what a command needs, and finds the one line of a compiler's hundred that matters when that fails.
+// Builds what a command needs, and finds the first error in a compiler's output if that fails.
 #pragma once
 
 #include "tools/tutor/workshop.h"
@@ -17,25 +17,25 @@ struct CompileError {
     std::string message; ///< "expected ';' before 'return'"
 };
 
-/// The first error that GCC or Clang reports in `log`, in a file below `preferred` if there is one there: an
-/// error in a learner's file also breaks files that include it.
+/// Returns the first error that GCC or Clang reports in `log`. An error in a file below `preferred` takes
+/// precedence: an error in a learner's file also shows up in files that include it.
 std::optional<CompileError> first_error(const std::string& log, const std::string& preferred);
 
 struct BuildResult {
     bool succeeded = false;
     int code = 0;
-    std::optional<CompileError> error; ///< nothing if it failed in another way
+    std::optional<CompileError> error; ///< empty if the build failed for another reason
     std::string log;
 };
 
-/// Builds the targets in the folder of a configured build, under its lock; `log` receives the output. Calls
-/// `on_first`, on this thread, as soon as the program bin/`targets[0]` is new, or at the end if there was
-/// nothing to make; not if anything failed before.
+/// Builds the targets in a configured build folder, under its lock; `log` receives the output. Calls
+/// `on_first` on this thread as soon as the program bin/`targets[0]` has been linked, or at the end if it was
+/// up to date; not if the build failed before that.
 BuildResult build_targets(const std::filesystem::path& build, const Words& targets,
                           const std::filesystem::path& log, const std::string& preferred,
                           const std::function<void()>& on_first = {});
 
-/// A build of the project by a preset of CMake: its folder is build/`preset`.
+/// A CMake preset of the project; its build folder is build/`name`.
 struct Preset {
     std::filesystem::path root;
     std::string name = "release";
@@ -44,18 +44,18 @@ struct Preset {
     std::filesystem::path program(const std::string& program) const { return folder() / "bin" / program; }
 };
 
-/// Configures the preset: `again` even if it has been configured before. Throws CommandFailed.
+/// Configures the preset; `again`: even if it is already configured. Throws CommandFailed.
 void configure(const Preset& preset, bool again = false);
 
-/// Builds the targets, under the lock, and prints how long that took unless it is `quiet`. Prints what went
-/// wrong and throws CommandFailed.
+/// Builds the targets under the lock and prints the time taken unless `quiet`. On failure prints the build's
+/// output and throws CommandFailed.
 void make(const Preset& preset, const Words& targets, bool quiet = false);
 
-/// Waits while another process links `program`, which stands in the folder bin/ of a build: it cannot be
-/// started then.
+/// Waits while another process links `program` (a path in the folder bin/ of a build), since it cannot
+/// be started then.
 void wait_for_program(const std::filesystem::path& program);
 
-/// Builds a tool of the project and runs it in place of this program.
+/// Builds a tool of the project and replaces this process with it.
 [[noreturn]] void hand_over(const Preset& preset, const std::string& tool, const Words& arguments);
 
 } // namespace rt::tutor

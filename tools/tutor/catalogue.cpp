@@ -1,4 +1,4 @@
-// Reads the catalogue of mistakes, finds its faults, makes mistakes, and finds their pictures.
+// Reads and validates the catalogue of mistakes, applies mistakes to headers, and finds their pictures.
 #include "common/util/error.h"
 #include "common/util/file_bytes.h"
 #include "tools/tutor/catalogue.h"
@@ -17,12 +17,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Goes through the lines of one catalogue and knows where it is.
+/// Iterates over the lines of one catalogue file; its errors name the current line.
 class Reader {
   public:
     Reader(const std::string& text, const std::string& name) : lines(lines_of(text)), path(name) {}
 
-    bool ended() const { return next >= lines.size(); }
+    bool at_end() const { return next >= lines.size(); }
     const std::string& line() const { return lines[next]; }
     void advance() { ++next; }
     std::string place() const { return path + ":" + std::to_string(std::min(next + 1, lines.size())); }
@@ -38,55 +38,55 @@ class Reader {
 void read_heading(Reader& reader, Mistake& mistake) {
     const std::string heading = reader.line().substr(3);
     const std::size_t colon = heading.find(": ");
-    if (colon == std::string::npos) reader.complain("a mistake begins with '## id: title'");
+    if (colon == std::string::npos) reader.complain("a mistake must begin with '## id: title'");
     mistake.id = heading.substr(0, colon);
     mistake.title = trimmed(heading.substr(colon + 2));
     const auto allowed = [](unsigned char c) { return std::islower(c) || std::isdigit(c) || c == '-'; };
     if (mistake.id.empty() || !std::ranges::all_of(mistake.id, allowed))
-        reader.complain("the id '" + mistake.id + "' is not of small letters, digits and dashes");
-    if (mistake.title.empty()) reader.complain("a mistake has a title after its id");
+        reader.complain("the id '" + mistake.id + "' must consist of lower-case letters, digits and dashes");
+    if (mistake.title.empty()) reader.complain("the title after the id is missing");
     mistake.place = reader.place();
     reader.advance();
 }
 
 void skip_blank_lines(Reader& reader) {
-    while (!reader.ended() && trimmed(reader.line()).empty()) reader.advance();
+    while (!reader.at_end() && trimmed(reader.line()).empty()) reader.advance();
 }
 
-/// From ```diff to ```: the file, then the lines of the change.
+/// Reads from ```diff to ```: the name of the file, then the lines of the change.
 void read_patch(Reader& reader, Mistake& mistake) {
     skip_blank_lines(reader);
-    if (reader.ended() || reader.line() != "```diff") reader.complain("here a ```diff must begin");
+    if (reader.at_end() || reader.line() != "```diff") reader.complain("expected ```diff here");
     reader.advance();
-    if (!reader.ended()) mistake.file = reader.line();
+    if (!reader.at_end()) mistake.file = reader.line();
     const std::size_t slash = mistake.file.find('/');
     if (slash == std::string::npos || !mistake.file.ends_with(".h"))
-        reader.complain("a diff begins with the header that it changes, as in 03_mirror/mirror.h");
+        reader.complain("a diff must begin with the header that it changes, such as 03_mirror/mirror.h");
     if (mistake.file.substr(0, slash) > mistake.step)
         reader.complain(mistake.file + " belongs to a later step than " + mistake.step);
     reader.advance();
-    for (; !reader.ended() && reader.line() != "```"; reader.advance()) {
+    for (; !reader.at_end() && reader.line() != "```"; reader.advance()) {
         const std::string& line = reader.line();
         const char kind = line.empty() ? ' ' : line[0];
         if (kind != ' ' && kind != '-' && kind != '+')
-            reader.complain("a line of a diff begins with '-', '+' or a blank");
+            reader.complain("a line of a diff must begin with '-', '+' or a space");
         mistake.patch.push_back({kind, line.empty() ? "" : line.substr(1)});
     }
-    if (reader.ended()) reader.complain("the diff does not end: ``` is missing");
+    if (reader.at_end()) reader.complain("the diff has no end: ``` is missing");
     const auto changes = [](const PatchLine& line) { return line.kind != ' '; };
     if (std::ranges::none_of(mistake.patch, changes)) reader.complain("the diff changes nothing");
     reader.advance();
 }
 
-/// `* Name: text`, which may go on over lines that are indented.
+/// Reads `* Name: text`, which may continue on indented lines.
 std::string read_field(Reader& reader, const std::string& name) {
     skip_blank_lines(reader);
     const std::string begin = "* " + name + ": ";
-    if (reader.ended() || !reader.line().starts_with(begin))
-        reader.complain("here '" + begin + "...' must stand");
+    if (reader.at_end() || !reader.line().starts_with(begin))
+        reader.complain("expected '" + begin + "...' here");
     std::string text = trimmed(reader.line().substr(begin.size()));
     reader.advance();
-    for (; !reader.ended() && reader.line().starts_with("  "); reader.advance())
+    for (; !reader.at_end() && reader.line().starts_with("  "); reader.advance())
         text += " " + trimmed(reader.line());
     return text;
 }
@@ -103,8 +103,7 @@ Mistake read_mistake(Reader& reader, const std::string& step) {
     return mistake;
 }
 
-/// Whether the lines of `patch` that must be there stand at `lines[begin]`; blanks at their ends do not
-/// count.
+/// Returns whether the `wanted` lines occur at `lines[begin]`, ignoring leading and trailing whitespace.
 bool stands_at(const Words& wanted, const Words& lines, std::size_t begin) {
     if (begin + wanted.size() > lines.size()) return false;
     for (std::size_t i = 0; i < wanted.size(); ++i)
@@ -112,20 +111,20 @@ bool stands_at(const Words& wanted, const Words& lines, std::size_t begin) {
     return true;
 }
 
-/// Where the lines that must be there stand.
+/// Returns the index of the first of the `wanted` lines. Throws Error if they occur nowhere or twice.
 std::size_t find_place(const Mistake& mistake, const Words& lines, const Words& wanted) {
     std::size_t found = lines.size();
     for (std::size_t begin = 0; begin < lines.size(); ++begin) {
         if (!stands_at(wanted, lines, begin)) continue;
-        const std::string where = mistake.place + ": what " + mistake.id + " takes out stands ";
+        const std::string where = mistake.place + ": the lines that " + mistake.id + " replaces occur ";
         if (found < lines.size())
-            throw Error(where + "twice in " + mistake.file + ", in lines " + std::to_string(found + 1) +
+            throw Error(where + "twice in " + mistake.file + ", at lines " + std::to_string(found + 1) +
                         " and " + std::to_string(begin + 1) + ": add a line of context");
         found = begin;
     }
     if (found == lines.size() || wanted.empty())
         throw Error(mistake.place + ": the change of " + mistake.id + " does not apply to " + mistake.file +
-                    ": its lines with '-' and ' ' do not stand there one after the other");
+                    ": its lines with '-' and ' ' do not occur there in sequence");
     return found;
 }
 
@@ -135,14 +134,14 @@ std::vector<Mistake> parse_catalogue(const std::string& text, const std::string&
     Reader reader(text, path);
     const std::string step = fs::path(path).parent_path().filename().string();
     const std::string title = "# Mistakes of step " + step.substr(0, 2) + ": ";
-    if (reader.ended() || !reader.line().starts_with(title))
-        reader.complain("the first line is '" + title + "...'");
+    if (reader.at_end() || !reader.line().starts_with(title))
+        reader.complain("the first line must be '" + title + "...'");
     reader.advance();
-    while (!reader.ended() && !reader.line().starts_with("## ")) reader.advance(); // what it says of itself
+    while (!reader.at_end() && !reader.line().starts_with("## ")) reader.advance(); // the introduction
     std::vector<Mistake> mistakes;
     std::set<std::string> ids;
-    while (!reader.ended()) {
-        if (!reader.line().starts_with("## ")) reader.complain("here '## id: title' must stand");
+    while (!reader.at_end()) {
+        if (!reader.line().starts_with("## ")) reader.complain("expected '## id: title' here");
         mistakes.push_back(read_mistake(reader, step));
         const Mistake& last = mistakes.back();
         if (!ids.insert(last.id).second) throw Error(last.place + ": there are two mistakes " + last.id);
@@ -177,7 +176,7 @@ std::vector<Mistake> read_catalogue(const fs::path& root, const std::string& ste
     for (const Mistake& mistake : mistakes) {
         const std::string text = with_mistake(mistake, read_file((root / "steps" / mistake.file).string()));
         if (!results.insert(text).second)
-            throw Error(mistake.place + ": " + mistake.id + " is the same change as an earlier one");
+            throw Error(mistake.place + ": " + mistake.id + " makes the same change as an earlier mistake");
     }
     return mistakes;
 }

@@ -1,5 +1,6 @@
-// The catalogue of mistakes: exercises/NN_name/mistakes.md holds what learners of a step do wrong, and
-// gallery/ what that looks like.
+// The catalogue of mistakes that learners make.
+// For each step, exercises/NN_name/mistakes.md describes them and exercises/NN_name/gallery/ holds the
+// pictures that they produce.
 #pragma once
 
 #include "tools/compare/catalogue.h"
@@ -11,7 +12,7 @@
 
 namespace rt::tutor {
 
-/// One line of a change: ' ' must be there, '-' must be there and goes, '+' comes in its place.
+/// A line of a change: ' ' is context, '-' is removed, '+' is inserted.
 struct PatchLine {
     char kind;
     std::string text; ///< without the kind
@@ -23,36 +24,37 @@ struct Mistake {
     std::string title; ///< "the reflection keeps its normal part"
     std::string file;  ///< "03_mirror/mirror.h", below steps/
     std::vector<PatchLine> patch;
-    std::string shows; ///< what one sees in the picture; begins with "nothing" if that is nothing
+    std::string shows; ///< the visible effect; begins with "nothing" if there is none
     std::string why;
     std::string fix;
-    std::string place; ///< "exercises/03_mirror/mistakes.md:3", for complaints
+    std::string place; ///< for error messages
 };
 
-/// Reads one file of the catalogue; `path` is what complaints name. Throws Error with the first fault, as
+/// Parses one file of the catalogue; `path` is used in error messages. Throws Error for the first error, as
 /// "path:line: what is wrong".
 std::vector<Mistake> parse_catalogue(const std::string& text, const std::string& path);
 
-/// The header with the mistake in it. Throws Error if the patch does not apply, or applies in two places.
+/// Returns the header with the mistake applied. Throws Error if the patch applies nowhere or in two places.
 std::string with_mistake(const Mistake& mistake, const std::string& header);
 
-/// The mistakes of a step, from `root`/exercises/NN_name/mistakes.md; none if there is no such file. All
-/// apply to `root`/steps. Throws Error.
+/// Returns the mistakes of a step from `root`/exercises/NN_name/mistakes.md; empty if there is no such file.
+/// Checks that each applies to `root`/steps. Throws Error.
 std::vector<Mistake> read_catalogue(const std::filesystem::path& root, const std::string& step);
 
-/// `root`/exercises/03_mirror/gallery/far-root.png; the right picture is called "right".
+/// Returns a path such as `root`/exercises/03_mirror/gallery/far-root.png. The id of the correct
+/// picture is "right".
 std::filesystem::path gallery_picture(const std::filesystem::path& root, const std::string& step,
                                       const std::string& id);
 
-/// What an assets/reference/NN_name.txt says after `key: `; empty if it does not.
+/// Returns the value after `key: ` in assets/reference/NN_name.txt, or an empty string.
 std::string reference_fact(const std::filesystem::path& root, const std::string& step,
                            const std::string& key);
 
-/// The flags with which a step's program renders for the gallery: the reference's view on 3/8 of its pixels.
+/// Returns the flags for a picture of the gallery: the reference's view at 3/8 of its width and height.
 Words gallery_flags(const std::filesystem::path& root, const std::string& step);
 
-/// The ids of the mistakes whose picture this one is, rendered with those flags; none if it is like none of
-/// them.
+/// Returns the ids of the mistakes whose gallery picture matches `picture`, which was rendered
+/// with those flags.
 compare::CatalogueMatch nearest_mistake(const std::filesystem::path& root, const std::string& step,
                                         const std::filesystem::path& picture);
 

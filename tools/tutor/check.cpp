@@ -1,5 +1,4 @@
-// One question after the other: does it compile, do the checks hold, is the picture right, what is likely
-// wrong, what is next.
+// ./learn check: builds, runs the checks, compares the picture, and prints a diagnosis and the next command.
 #include "tools/tutor/commands.h"
 
 #include "common/util/report_error.h"
@@ -26,30 +25,30 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What came of one file of checks.
+/// The results of one file of checks.
 struct CheckedFile {
     std::string name; ///< "03_mirror_quad"
     std::vector<CheckResult> results;
 };
 
-/// All that one run finds out.
+/// Everything that one run finds out.
 struct Findings {
-    fs::path scratch; ///< a folder of this run alone
+    fs::path scratch; ///< a temporary folder for this run
     std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
     std::vector<Exercise> exercises;
-    Words untouched;                 ///< exercises that still are as the stub has them
-    std::vector<CheckedFile> files;  ///< in the order in which they are to be told
-    std::vector<CheckResult> checks; ///< of all of them
-    Words earlier;                   ///< a line a step
+    Words untouched;                 ///< exercises whose code is still that of the stub
+    std::vector<CheckedFile> files;  ///< in the order in which they are reported
+    std::vector<CheckResult> checks; ///< of all files
+    Words earlier;                   ///< one line per step
     bool earlier_hold = true;
     PictureFinding picture;
     Diagnosis diagnosis;
-    std::optional<Mistake> mistake; ///< the likely one
-    Words similar_mistakes;         ///< mistakes that make the same picture
+    std::optional<Mistake> mistake; ///< the most likely mistake
+    Words similar_mistakes;         ///< mistakes that produce the same picture
     std::string next;
 };
 
-/// Since the check began, in seconds with one decimal.
+/// Returns the time since the check began, in seconds, rounded down to one decimal.
 double seconds_since(const Findings& findings) {
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - findings.begin;
     return int(took.count() * 10) / 10.0;
@@ -59,12 +58,12 @@ std::size_t failures(const std::vector<CheckResult>& checks) {
     return std::size_t(std::ranges::count_if(checks, has_failed));
 }
 
-std::string passed_of(const std::vector<CheckResult>& checks) {
+std::string passed_text(const std::vector<CheckResult>& checks) {
     return std::to_string(checks.size() - failures(checks)) + " of " + std::to_string(checks.size()) +
            " checks";
 }
 
-/// Exercises that the learner has begun to write, but left as they were.
+/// Returns the exercises in the learner's files whose code is still that of the stub.
 Words untouched_exercises(const Project& project, const std::string& step,
                           const std::vector<Exercise>& exercises) {
     Words names;
@@ -79,7 +78,7 @@ Words untouched_exercises(const Project& project, const std::string& step,
     return names;
 }
 
-/// The exercise that the line of the learner's file belongs to; nothing where that is not one.
+/// Returns the exercise that contains the line of a compile error in the learner's file, or nullptr.
 const Exercise* exercise_at(const Project& project, const std::vector<Exercise>& exercises,
                             const CompileError& error) {
     const Exercise* nearest = nullptr;
@@ -89,26 +88,26 @@ const Exercise* exercise_at(const Project& project, const std::vector<Exercise>&
         std::error_code ignored;
         if (!error.file.ends_with(exercise.step + "/" + exercise.file) || !fs::is_regular_file(own, ignored))
             continue;
-        const int line = place_of(exercise, read_file(own.string()));
-        if (line > error.line + 3 || line < begin) continue; // an error may be found before the gap itself
+        const int line = line_of(exercise, read_file(own.string()));
+        if (line > error.line + 3 || line < begin) continue; // the error may be reported before the gap
         nearest = &exercise;
         begin = line;
     }
     return nearest;
 }
 
-/// The first error alone, and the first hint for the function that it is in.
+/// Prints only the first error, with the task and the first hint of the function that contains it.
 void print_compile_error(const Project& project, const std::string& step, const BuildResult& built,
                          Findings& findings, std::ostream& out) {
     if (!built.error)
         throw Error("the build failed (exit code " + std::to_string(built.code) +
-                    "), but not for an error in a file; the next ./learn check mends broken files of "
-                    "the build itself; it says: " +
+                    "), but no source file has an error; run ./learn check again, which repairs "
+                    "broken build files. The build's output: " +
                     built.log);
     const std::string place = display_path(built.error->file, built.error->line);
-    out << "It does not compile yet. The first error:\n\n  " << place << "\n    "
+    out << "Your code does not compile yet. The first error:\n\n  " << place << "\n    "
         << printable(built.error->message) << "\n\n";
-    findings.picture = no_picture("it does not compile yet");
+    findings.picture = no_picture("your code does not compile yet");
     findings.picture.lines = {place + ": " + built.error->message};
     findings.next = "./learn check " + number_of(step);
     const Exercise* const exercise = exercise_at(project, findings.exercises, *built.error);
@@ -119,12 +118,11 @@ void print_compile_error(const Project& project, const std::string& step, const 
     findings.next = "./learn hint " + number_of(step) + " " + exercise->name;
 }
 
-/// One file of checks. Once all of them hold, nothing but another program changes that: what they said then
-/// is kept.
+/// Runs one file of checks. If all of them pass, the results are stored and reused until the program changes.
 std::vector<CheckResult> run_file(const CheckOptions& options, const std::string& file,
                                   const fs::path& scratch) {
     const fs::path program = options.build / "bin" / ("test_" + file), log = scratch / "checks.txt",
-                   kept = options.build / ("said_" + file + ".txt");
+                   kept = options.build / ("results_" + file + ".txt");
     std::error_code ignored;
     const fs::file_time_type made = fs::last_write_time(program, ignored);
     if (fs::last_write_time(kept, ignored) > made) return parse_results(read_file(kept.string()));
@@ -134,38 +132,38 @@ std::vector<CheckResult> run_file(const CheckOptions& options, const std::string
     return checks;
 }
 
-/// Those that a learner waits for.
+/// Returns the files of checks without the slow ones.
 Words quick_files(const Project& project, const std::string& step) {
     Words files = check_files(project.root, step);
     std::erase_if(files, is_slow);
     return files;
 }
 
-/// The steps before; what the learner wrote there counts here as well.
+/// Runs the checks of the earlier steps, which use the learner's files of those steps.
 void run_earlier(const Project& project, const CheckOptions& options, Findings& findings) {
     for (const std::string& step : all_steps(project)) {
         if (step >= options.step) break;
         std::vector<CheckResult> checks;
         for (const std::string& file : quick_files(project, step))
             std::ranges::move(run_file(options, file, findings.scratch), std::back_inserter(checks));
-        findings.earlier.push_back(step + ": " + passed_of(checks));
+        findings.earlier.push_back(step + ": " + passed_text(checks) + " pass");
         findings.earlier_hold = findings.earlier_hold && failures(checks) == 0;
     }
 }
 
-/// Whether the checks are those of a header in which the learner has written nothing yet.
-bool is_of_untouched(const std::string& step, const std::string& file, const Findings& findings) {
-    bool of_some = false;
+/// Returns whether the checks belong to a header in which the learner has not written anything yet.
+bool belongs_to_untouched(const std::string& step, const std::string& file, const Findings& findings) {
+    bool any = false;
     for (const Exercise& exercise : findings.exercises) {
         if (check_file_of(step, exercise.file) != file) continue;
-        of_some = true;
+        any = true;
         if (std::ranges::find(findings.untouched, exercise.name) == findings.untouched.end()) return false;
     }
-    return of_some;
+    return any;
 }
 
-/// The functions that a check which does not end may hang in: of those that its file of checks is about and
-/// that are written, those that have a loop or call themselves, or else all.
+/// Returns the functions in which an endless check may hang: of the written functions of its header, those
+/// with a loop or a recursion; if there are none, all of them.
 Words suspects(const Project& project, const std::string& step, const Findings& findings) {
     Words all, loops;
     for (const Exercise& exercise : findings.exercises) {
@@ -176,28 +174,29 @@ Words suspects(const Project& project, const std::string& step, const Findings& 
         std::error_code ignored;
         if (!written || findings.diagnosis.endless->failures.front().place != program) continue;
         if (!fs::is_regular_file(path, ignored)) continue;
-        all.push_back(exercise.name + " (" + display_path(path, place_of(exercise, read_file(path))) + ")");
+        all.push_back(exercise.name + " (" + display_path(path, line_of(exercise, read_file(path))) + ")");
         if (may_not_end(exercise, read_file(path))) loops.push_back(all.back());
     }
     return loops.empty() ? all : loops;
 }
 
-/// By what the checks say. A picture that is wrong is compared with those of the known mistakes, too.
+/// Finds the likely mistake from the results of the checks. A wrong picture is also compared with the
+/// pictures of the known mistakes.
 void find_mistake(const Project& project, const CheckOptions& options, Findings& findings) {
     std::vector<std::vector<CheckResult>> written;
     for (const CheckedFile& file : findings.files)
-        if (!is_of_untouched(options.step, file.name, findings)) written.push_back(file.results);
+        if (!belongs_to_untouched(options.step, file.name, findings)) written.push_back(file.results);
     findings.diagnosis = diagnose(read_signatures(project.root, options.step), written);
     if (findings.diagnosis.endless) findings.diagnosis.suspects = suspects(project, options.step, findings);
     const bool begun = findings.untouched.size() < findings.exercises.size();
-    if (begun && findings.picture.judgement && !findings.picture.holds)
+    if (begun && findings.picture.comparison && !findings.picture.holds)
         findings.similar_mistakes =
             similar_mistakes(project.root, options.step, options.build, findings.scratch);
     for (const Mistake& mistake : read_catalogue(project.root, options.step)) {
         if (!findings.diagnosis.ids.empty() && mistake.id == findings.diagnosis.ids.front())
             findings.mistake = mistake;
         if (std::ranges::find(findings.similar_mistakes, mistake.id) != findings.similar_mistakes.end())
-            findings.picture.lines.push_back("looks like the known mistake: " + mistake.title);
+            findings.picture.lines.push_back("looks like a known mistake: " + mistake.title);
     }
 }
 
@@ -221,10 +220,10 @@ std::string next_command(const Project& project, const std::string& step, const 
     return following.empty() ? "./learn run " + number : "./learn start " + number_of(following);
 }
 
-// --- one screen -------------------------------------------------------------------------------------------------
+// --- the terminal output ----------------------------------------------------------------------------------------
 
 void print_failure(const CheckResult& check, std::ostream& out) {
-    out << "  red     " << printable(check.name) << "\n";
+    out << "  failed  " << printable(check.name) << "\n";
     if (check.failures.empty()) return;
     const Failure& failure = check.failures.front();
     out << "            " << printable(failure.values) << "\n";
@@ -233,31 +232,31 @@ void print_failure(const CheckResult& check, std::ostream& out) {
 
 void print_checks(const Project& project, const std::string& step, const Findings& findings,
                   std::ostream& out) {
-    out << "checks    " << passed_of(findings.checks) << " hold";
+    out << "checks    " << passed_text(findings.checks) << " pass";
     const std::size_t gaps = findings.untouched.size();
     if (gaps > 0)
-        out << "; " << gaps << " of " << findings.exercises.size() << " functions still are as they were cut"
-            << (gaps == findings.exercises.size() ? ", so red is what they should be" : "");
+        out << "; " << gaps << " of " << findings.exercises.size() << " functions are not written yet"
+            << (gaps == findings.exercises.size() ? ", so checks are expected to fail" : "");
     out << "\n";
-    int said = 0;
+    int printed = 0;
     for (const CheckResult& check : findings.checks)
-        if (has_failed(check) && said++ < 3) print_failure(check, out);
-    if (said > 3) out << "  red     and " << said - 3 << " more: the report has them\n";
+        if (has_failed(check) && printed++ < 3) print_failure(check, out);
+    if (printed > 3) out << "  failed  " << printed - 3 << " more checks; the report lists them\n";
     if (own_files(project, step).empty())
-        out << "          workshop/" << step << " holds no file of yours: this is the reference\n";
+        out << "          You have no files in workshop/" << step << ", so this checked the reference.\n";
 }
 
-/// While all is still as it was cut, the stub is the mistake.
+/// Prints the likely mistake; nothing as long as no function has been written.
 void print_mistake(const Project& project, const std::string& step, const Findings& findings,
                    std::ostream& out) {
     if (findings.untouched.size() == findings.exercises.size()) return;
     std::istringstream lines(explanation(findings.diagnosis, read_catalogue(project.root, step)));
-    std::string margin = "likely    ";
+    std::string margin = "mistake   ";
     for (std::string line; std::getline(lines, line); margin = std::string(10, ' '))
         out << margin << line << "\n";
 }
 
-// --- what stays -------------------------------------------------------------------------------------------------
+// --- the report -------------------------------------------------------------------------------------------------
 
 Json check_json(const CheckResult& check) {
     const bool ended = check.state == CheckState::ok || check.state == CheckState::failed ||
@@ -294,10 +293,10 @@ fs::path write_report(const Project& project, const CheckOptions& options, const
                 {"own_files", Json::array()},
                 {"checks", Json::array()},
                 {"earlier", findings.earlier},
-                {"verdict", picture.judgement ? picture.verdict : picture.reason},
+                {"verdict", picture.comparison ? picture.verdict : picture.reason},
                 {"verdict_lines", picture.lines},
-                {"flip_mean", picture.judgement ? picture.judgement->flip.mean : 0},
-                {"flip_max", picture.judgement ? picture.judgement->flip.max : 0},
+                {"flip_mean", picture.comparison ? picture.comparison->flip.mean : 0},
+                {"flip_max", picture.comparison ? picture.comparison->flip.max : 0},
                 {"tiles_over_4", nullptr},
                 {"mistake", mistake_json(project, findings)},
                 {"next", findings.next},
@@ -309,16 +308,16 @@ fs::path write_report(const Project& project, const CheckOptions& options, const
     for (const std::string& file : own_files(project, options.step))
         report["own_files"].push_back(options.step + "/" + file);
     for (const CheckResult& check : findings.checks) report["checks"].push_back(check_json(check));
-    if (picture.judgement && picture.judgement->tiles)
-        report["tiles_over_4"] = picture.judgement->tiles->outliers;
+    if (picture.comparison && picture.comparison->tiles)
+        report["tiles_over_4"] = picture.comparison->tiles->outliers;
     const fs::path folder = project.workshop / "report", path = folder / (options.step + ".html");
     make_folder(folder);
     write_file(path.string(), report_html(project.root, report));
     return path;
 }
 
-/// Of the learner's headers that have checks of their own, the one that was saved last; else the first of the
-/// step's.
+/// Returns the most recently saved of the learner's headers that have their own checks, or else the first
+/// such header of the step.
 std::string saved_last(const Project& project, const std::string& step) {
     std::string last;
     fs::file_time_type when = fs::file_time_type::min();
@@ -335,7 +334,7 @@ std::string saved_last(const Project& project, const std::string& step) {
     return last;
 }
 
-/// What somebody waits for, as soon as it is there: the checks of the file that was saved, then the picture.
+/// Prints what the learner waits for as soon as possible: the checks of the saved file, then the picture.
 BuildResult check_saved_file(const Project& project, const CheckOptions& options, Findings& findings,
                              std::ostream& out) {
     const std::string file = saved_last(project, options.step), checks = check_file_of(options.step, file);
@@ -344,20 +343,20 @@ BuildResult check_saved_file(const Project& project, const CheckOptions& options
     const fs::path log = findings.scratch / "built.txt";
     const BuildResult built = build_targets(options.build, targets, log, "/workshop/", [&] {
         const std::vector<CheckResult> results = run_file(options, checks, findings.scratch);
-        out << "first     " << file << ", quick ones: " << passed_of(results) << " hold ("
-            << seconds_since(findings) << " s)\n"
+        out << "file      " << file << ": " << passed_text(results) << " pass (" << seconds_since(findings)
+            << " s)\n"
             << std::flush;
     });
     if (!built.succeeded || !options.picture) return built;
     findings.picture =
-        judge_picture(project.root, options.step, options.build, findings.scratch, Samples::few);
-    out << (findings.picture.complete ? "picture   " : "glimpse   ") << findings.picture.lines.front() << " ("
+        render_and_compare(project.root, options.step, options.build, findings.scratch, Samples::few);
+    out << (findings.picture.complete ? "picture   " : "preview   ") << findings.picture.lines.front() << " ("
         << seconds_since(findings) << " s)\n"
         << std::flush;
     return built;
 }
 
-/// The step's other checks, and those of the steps before: what changed of them.
+/// Builds the step's other checks and those of the earlier steps, as far as they are out of date.
 BuildResult build_others(const Project& project, const CheckOptions& options, Findings& findings,
                          std::ostream& out) {
     Words targets;
@@ -370,7 +369,7 @@ BuildResult build_others(const Project& project, const CheckOptions& options, Fi
     return built;
 }
 
-/// Runs the checks, renders, compares; says what holds, what is likely wrong and what is next.
+/// Runs the checks, renders, compares, and prints the results, the likely mistake and the next command.
 void run_and_compare(const Project& project, const CheckOptions& options, Findings& findings,
                      std::ostream& out) {
     for (const std::string& file : quick_files(project, options.step)) {
@@ -382,10 +381,10 @@ void run_and_compare(const Project& project, const CheckOptions& options, Findin
     run_earlier(project, options, findings);
     for (const std::string& line : findings.earlier) out << "earlier   " << printable(line) << "\n";
     if (!options.picture)
-        findings.picture = no_picture("only the checks were asked for");
+        findings.picture = no_picture("not rendered (--no-picture)");
     else if (!findings.picture.complete)
         findings.picture =
-            judge_picture(project.root, options.step, options.build, findings.scratch, Samples::all);
+            render_and_compare(project.root, options.step, options.build, findings.scratch, Samples::all);
     find_mistake(project, options, findings);
     for (const std::string& line : findings.picture.lines) out << "picture   " << printable(line) << "\n";
     print_mistake(project, options.step, findings, out);

@@ -1,4 +1,4 @@
-// Runs checks again after one that broke off, and renders into a folder of its own.
+// Runs all checks even if some crash or hang, and renders the picture of a step and compares it.
 #include "common/image/image_file.h"
 #include "common/util/error.h"
 #include "common/util/file_bytes.h"
@@ -20,16 +20,16 @@ namespace {
 std::string reason(const ProcessResult& result, int seconds) {
     if (result.timed_out)
         return "stopped after " + std::to_string(seconds) +
-               " s: it does not end (a loop or a recursion without end?)";
-    return result.crash.empty() ? "ended with code " + std::to_string(result.code) + " in the middle of it"
+               " s because it did not finish (an endless loop or recursion?)";
+    return result.crash.empty() ? "the program exited with code " + std::to_string(result.code)
                                 : result.crash;
 }
 
 CheckResult not_run() {
     CheckResult rest;
-    rest.name = "all checks after that one";
+    rest.name = "all remaining checks";
     rest.failures = {
-        {"", "", "not run, since " + std::to_string(most_endless) + " before them did not end", {}}};
+        {"", "", "not run, because " + std::to_string(most_endless) + " checks did not finish", {}}};
     return rest;
 }
 
@@ -56,16 +56,16 @@ std::vector<CheckResult> run_all_checks(const std::filesystem::path& program,
             break;
         }
     }
-    if (all.empty()) throw Error(program.string() + " ran no check: build it anew");
+    if (all.empty()) throw Error(program.string() + " ran no checks; build it again");
     return all;
 }
 
 namespace {
 
 constexpr int seconds_for_a_picture = 60;
-const std::string few_samples = "2"; // fewer have no variance
+const std::string few_samples = "2"; // the minimum for a variance
 
-/// The flags with another number of samples, unless that is empty.
+/// Returns the flags with the number of samples replaced; unchanged if `samples` is empty.
 Words with_samples(Words flags, const std::string& samples) {
     if (samples.empty()) return flags;
     const auto old = std::ranges::find(flags, "--samples");
@@ -82,12 +82,13 @@ PictureFinding failed(std::string reason) {
     return finding;
 }
 
-/// What kind of difference, where, and why if that is known: FLIP has a line of its own in the report.
-Words in_short(const compare::Comparison& judgement) {
-    Words lines = judgement.lines;
+/// Returns the verdict, the location, and the explanation if there is one. The report shows FLIP on
+/// a separate line.
+Words summary_lines(const compare::Comparison& comparison) {
+    Words lines = comparison.lines;
     lines.resize(std::min<std::size_t>(lines.size(), 2));
-    if (!judgement.explanation.empty() && judgement.explanation != compare::none_of_these)
-        lines.push_back("explanation: " + judgement.explanation);
+    if (!comparison.explanation.empty() && comparison.explanation != compare::none_of_these)
+        lines.push_back("likely cause: " + comparison.explanation);
     return lines;
 }
 
@@ -97,55 +98,55 @@ PictureFinding no_picture(const std::string& reason) {
     PictureFinding finding;
     finding.verdict = "none";
     finding.reason = reason;
-    finding.lines = {"none: " + reason};
+    finding.lines = {"no picture: " + reason};
     return finding;
 }
 
-compare::Comparison judge_render(const fs::path& root, const std::string& step, const fs::path& folder) {
+compare::Comparison compare_render(const fs::path& root, const std::string& step, const fs::path& folder) {
     const fs::path references = root / "assets" / "reference";
     const std::string picture = step + ".hdr", variance = step + ".variance.hdr";
-    compare::ComparisonInput question{compare::read_encoded((folder / picture).string()),
-                                      compare::read_encoded((references / picture).string())};
-    question.step = std::atoi(step.c_str());
+    compare::ComparisonInput input{compare::read_encoded((folder / picture).string()),
+                                   compare::read_encoded((references / picture).string())};
+    input.step = std::atoi(step.c_str());
     if (fs::exists(references / variance))
-        question.variances = {read_image((folder / variance).string()),
-                              read_image((references / variance).string())};
-    return compare::compare_images(question);
+        input.variances = {read_image((folder / variance).string()),
+                           read_image((references / variance).string())};
+    return compare::compare_images(input);
 }
 
-PictureFinding judge_picture(const fs::path& root, const std::string& step, const fs::path& build,
-                             const fs::path& out, Samples samples) {
+PictureFinding render_and_compare(const fs::path& root, const std::string& step, const fs::path& build,
+                                  const fs::path& out, Samples samples) {
     const fs::path references = root / "assets" / "reference";
     const fs::path variance = references / (step + ".variance.hdr");
     Words command{(build / "bin" / step).string(), "--quiet", "--out", (out / step).string()};
     if (fs::exists(variance))
         command.insert(command.end(), {"--variance", (out / (step + ".variance.hdr")).string()});
-    const bool glimpse = samples == Samples::few && fs::exists(variance);
+    const bool preview = samples == Samples::few && fs::exists(variance);
     for (const std::string& word :
-         with_samples(words_in(reference_fact(root, step, "test flags")), glimpse ? few_samples : ""))
+         with_samples(words_in(reference_fact(root, step, "test flags")), preview ? few_samples : ""))
         command.push_back(word);
-    const fs::path log = out / "said.txt";
+    const fs::path log = out / "log.txt";
     wait_for_program(command[0]);
     const ProcessResult result = run_process(command, {.log = log, .seconds = seconds_for_a_picture});
     if (result.timed_out)
         return failed("the program was stopped after " + std::to_string(seconds_for_a_picture) +
-                      " s; does it end?");
+                      " s; is there an endless loop?");
     if (result.code >= 128) return failed("the program crashed");
-    if (result.code != 0) return failed("the program says: " + read_file(log.string()));
+    if (result.code != 0) return failed("the program reports: " + read_file(log.string()));
 
     PictureFinding finding;
-    finding.judgement = judge_render(root, step, out);
-    finding.complete = !glimpse;
-    finding.verdict = compare::name_of(finding.judgement->verdict);
-    finding.holds = compare::is_same(finding.judgement->verdict);
-    finding.lines = in_short(*finding.judgement);
+    finding.comparison = compare_render(root, step, out);
+    finding.complete = !preview;
+    finding.verdict = compare::name_of(finding.comparison->verdict);
+    finding.holds = compare::is_same(finding.comparison->verdict);
+    finding.lines = summary_lines(*finding.comparison);
     finding.mine = out / (step + ".png");
     finding.reference = references / (step + ".png");
     finding.map = out / (step + ".map.png");
-    write_image(finding.map.string(), compare::error_map(*finding.judgement));
+    write_image(finding.map.string(), compare::error_map(*finding.comparison));
     finding.settings =
         reference_fact(root, step, "width") + " x " + reference_fact(root, step, "height") + ", " +
-        (reference_fact(root, step, "test flags").empty() ? "the program's own settings"
+        (reference_fact(root, step, "test flags").empty() ? "the program's default settings"
                                                           : reference_fact(root, step, "test flags"));
     return finding;
 }
@@ -156,7 +157,7 @@ Words similar_mistakes(const fs::path& root, const std::string& step, const fs::
     Words command{(build / "bin" / step).string(), "--quiet", "--out", picture.string()};
     for (const std::string& word : gallery_flags(root, step)) command.push_back(word);
     const ProcessResult result =
-        run_process(command, {.log = out / "said.txt", .seconds = seconds_for_a_picture});
+        run_process(command, {.log = out / "log.txt", .seconds = seconds_for_a_picture});
     return result.code == 0 ? nearest_mistake(root, step, picture).names : Words();
 }
 

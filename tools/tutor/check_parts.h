@@ -1,4 +1,4 @@
-// What ./learn check runs: the checks of a step, whatever the code under them does, and the step's program.
+// The parts of ./learn check that run code: the checks of a step and its program, even if they crash or hang.
 #pragma once
 
 #include "tools/compare/comparison.h"
@@ -11,45 +11,45 @@
 
 namespace rt::tutor {
 
-/// All checks of a step together take a fifth of this at most.
+/// Time limit of a file of checks, in seconds. The checks of a whole step take at most a fifth of it.
 inline constexpr int seconds_for_checks = 10;
 
-/// After so many checks that had to be stopped the others are not run: somebody waits.
+/// After this many checks that did not finish, the remaining ones are not run, since the learner is waiting.
 inline constexpr int most_endless = 3;
 
-/// A check that did not end says why in its only failure. `program` is a test executable, `log` a file for
-/// what it says. Throws Error if it cannot be run.
+/// Runs all checks of a test executable and restarts it after each check that crashes or hangs; such a
+/// check has one failure, which says why. `log` is a file for the output. Throws Error if the program
+/// cannot be run.
 std::vector<CheckResult> run_all_checks(const std::filesystem::path& program,
                                         const std::filesystem::path& log, int seconds = seconds_for_checks);
 
 struct PictureFinding {
     bool holds = true;
-    bool complete = true; ///< of all samples
+    bool complete = true; ///< rendered with all samples
     std::string verdict;  ///< same, noise, look, different; or none, failed
-    std::string reason;   ///< why there is none, or why it failed
-    Words lines;          ///< for a person
-    std::optional<compare::Comparison> judgement;
+    std::string reason;   ///< why there is no picture, or why rendering failed
+    Words lines;          ///< text for the learner
+    std::optional<compare::Comparison> comparison;
     std::filesystem::path mine, reference, map; ///< PNG files
     std::string settings;
 };
 
-/// Judges STEP.hdr in `folder`, with STEP.variance.hdr if the step is noisy, against the step's reference.
-/// Throws Error.
-compare::Comparison judge_render(const std::filesystem::path& root, const std::string& step,
-                                 const std::filesystem::path& folder);
+/// Compares STEP.hdr in `folder` with the step's reference, using STEP.variance.hdr if the step is
+/// noisy. Throws Error.
+compare::Comparison compare_render(const std::filesystem::path& root, const std::string& step,
+                                   const std::filesystem::path& folder);
 
-/// With few samples noisy pictures are there much sooner, and their noise, which is known, hides less than
-/// one thinks.
+/// How many samples to render. Few samples give a noisy preview much sooner; since its noise is known, it
+/// still reveals most mistakes.
 enum class Samples { few, all };
 
-/// Renders into `out` with the flags under which pictures of the step are compared, and judges. A program
-/// that crashes, does not end or complains is a finding too. Throws Error if there is no reference.
-PictureFinding judge_picture(const std::filesystem::path& root, const std::string& step,
-                             const std::filesystem::path& build, const std::filesystem::path& out,
-                             Samples samples);
+/// Renders into `out` with the step's test flags, and compares with the reference. If the program crashes,
+/// hangs or fails, the finding says so. Throws Error if there is no reference.
+PictureFinding render_and_compare(const std::filesystem::path& root, const std::string& step,
+                                  const std::filesystem::path& build, const std::filesystem::path& out,
+                                  Samples samples);
 
-/// The ids of the known mistakes with which the program makes the same picture; none if it is like none of
-/// them.
+/// Returns the ids of the known mistakes that produce the same picture as the program.
 Words similar_mistakes(const std::filesystem::path& root, const std::string& step,
                        const std::filesystem::path& build, const std::filesystem::path& out);
 

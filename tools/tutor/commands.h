@@ -1,6 +1,6 @@
-// The commands of ./learn, one function each. They print finished text and throw: Error for wrong arguments
-// and for files that cannot be read or written, CommandFailed for what did not work, Stop for an exit code
-// that needs no more words.
+// The commands of ./learn, one function each.
+// They print their output and throw Error for wrong arguments and for files that cannot be read or written,
+// CommandFailed if something did not work, and Stop to exit with a code and without a message.
 #pragma once
 
 #include "tools/tutor/workshop.h"
@@ -12,43 +12,44 @@
 
 namespace rt::tutor {
 
-/// Cuts the stubs of a step into the workshop, and lists what to write.
+/// Writes the stubs of a step into the workshop, and lists the functions to write.
 void start_step(const Project& project, const std::string& step, std::ostream& out);
 
-/// Prints where the learner stands in all steps, and what is next.
+/// Prints the learner's progress in all steps, and what to do next.
 void show_status(const Project& project, std::ostream& out);
 
-/// Which of an exercise's hints to show.
+/// Which of the hints of an exercise to show.
 enum class HintMode { next, again, all, reset };
 
-/// Without a name: lists the exercises of the step, or forgets (reset) which of their hints were shown.
+/// Shows hints of the exercise `name`. If `name` is empty: lists the exercises of the step, or with `reset`
+/// forgets which of their hints were shown.
 void show_hints(const Project& project, const std::string& step, const std::string& name, HintMode mode,
                 std::ostream& out);
 
-/// Prints the reference against the learner's file, or against all of the learner's files of the step if
-/// `file` is empty.
+/// Prints the difference between the reference and the learner's file, or all of the learner's files of the
+/// step if `file` is empty.
 void show_diff(const Project& project, const std::string& step, const std::string& file, bool colour,
                std::ostream& out);
 
-/// Moves the learner's file out of the way, or all files of the step if `file` is empty.
+/// Moves the learner's file into workshop/.backup/, or all files of the step if `file` is empty.
 void undo_files(const Project& project, const std::string& step, const std::string& file, std::ostream& out);
 
 /// Builds and renders a step, with flags for its program, or all steps if `step` is empty, and compares with
 /// the references. Returns the exit code: 1 if a picture differs.
 int run_steps(const Project& project, const std::string& step, const Words& flags);
 
-/// Renders the references of a step, or of all steps if `step` is empty, and their contact sheet.
+/// Renders the reference of a step, or of all steps if `step` is empty, and their contact sheet.
 void make_references(const Project& project, const std::string& step);
 
-/// Makes the pictures and plots of the chapters of these steps, or of all chapters if there are none.
+/// Makes the pictures and plots of the chapters of these steps, or of all chapters if `steps` is empty.
 void make_figures(const Project& project, const Words& steps);
 
-/// Runs the checks of a step or of a group, or all if `word` is empty; writes JUnit XML unless `junit` is
+/// Runs the checks of a step or group, or all checks if `word` is empty; writes JUnit XML unless `junit` is
 /// empty. Returns the exit code: 1 if a check fails.
 int run_tests(const Project& project, const std::string& word, const std::string& junit);
 
 struct Pixel {
-    int x = 0, y = 0, sample = 1; ///< from the top left, from 0; samples from 1
+    int x = 0, y = 0, sample = 1; ///< x and y from 0 at the top left; samples from 1
 };
 
 /// Prints the rays of one sample of a pixel, with flags for the step's program.
@@ -70,20 +71,21 @@ struct FuzzOptions {
 
 Words fuzz_targets(const Project& project);
 
-/// Returns the exit code: 1 if an input breaks a target.
+/// Runs the fuzz targets. Returns the exit code: 1 if an input breaks a target.
 int fuzz(const Project& project, const FuzzOptions& options);
 
 struct CheckOptions {
     std::string step;
-    std::filesystem::path build; ///< a configured build with the checks of all steps
-    bool picture = true;         ///< false: the checks alone
+    std::filesystem::path build; ///< a configured build folder with the checks of all steps
+    bool picture = true;         ///< false: run only the checks
 };
 
-/// Answers the exit code: 0 if all holds, 1 if not. Writes workshop/.state and workshop/report/NN_name.html.
-/// Throws Error for what is no fault of the learner's code.
+/// Checks a step. Returns the exit code: 0 if everything passes, 1 if not. Writes workshop/.state and
+/// workshop/report/NN_name.html. Throws Error for problems that the learner's code did not cause.
 int check_step(const Project& project, const CheckOptions& options, std::ostream& out);
 
-/// Until q is typed (or the input ends where it is no terminal). Answers the exit code of the last check.
+/// Checks a step at each save until q is typed, or until the input ends if it is not a terminal. Returns the
+/// exit code of the last check.
 int watch_step(const Project& project, const CheckOptions& options, std::ostream& out);
 
 } // namespace rt::tutor

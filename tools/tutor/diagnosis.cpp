@@ -1,4 +1,4 @@
-// Reads what checks say, keeps it as signatures, and finds the signature that fits best.
+// Parses the output of checks, stores failures as signatures, and finds the signature that fits best.
 #include "tools/tutor/diagnosis.h"
 
 #include "common/util/error.h"
@@ -15,14 +15,14 @@ namespace rt::tutor {
 
 namespace {
 
-const std::string not_ended = "(the check did not end)";
-constexpr std::size_t longest_values = 100;
+const std::string not_ended = "(the check did not end)"; // signatures.txt contains this text
+constexpr std::size_t max_values_length = 100;
 
 bool is_word(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
-/// The share of the things in either set that are in both.
+/// Returns the Jaccard index of two sets: the size of their intersection divided by that of their union.
 template <typename Things>
 double overlap_of(const Things& a, const Things& b) {
     std::size_t both = 0;
@@ -31,7 +31,7 @@ double overlap_of(const Things& a, const Things& b) {
     return either == 0 ? 1 : double(both) / double(either);
 }
 
-/// A signature as sets: coarse, finer, finest.
+/// A signature as three sets, from coarse to fine.
 struct Sets {
     std::set<std::string> checks, assertions, values;
 
@@ -59,7 +59,7 @@ void read_event(const Words& parts, std::vector<CheckResult>& results) {
     result.seconds = std::atof(part(3).c_str());
 }
 
-/// The end of the number that begins at `begin`, or `begin` if none does.
+/// Returns the end of the number that begins at `begin`, or `begin` if there is no number.
 std::size_t end_of_number(std::string_view text, std::size_t begin) {
     const auto behind_digits = [&](std::size_t at) {
         while (at < text.size() && std::isdigit(static_cast<unsigned char>(text[at])) != 0) ++at;
@@ -89,7 +89,7 @@ bool has_failed(const CheckResult& result) {
     return result.state != CheckState::ok && result.state != CheckState::skipped;
 }
 
-std::string rounded(std::string_view values) {
+std::string round_numbers(std::string_view values) {
     std::string out;
     for (std::size_t i = 0; i < values.size();) {
         const std::size_t end = end_of_number(values, i);
@@ -102,8 +102,9 @@ std::string rounded(std::string_view values) {
         out += text;
         i = end;
     }
-    for (std::size_t at; (at = out.find("-nan")) != std::string::npos;) out.erase(at, 1); // a NaN has no sign
-    return out.substr(0, longest_values);
+    for (std::size_t at; (at = out.find("-nan")) != std::string::npos;)
+        out.erase(at, 1); // the sign of a NaN is random
+    return out.substr(0, max_values_length);
 }
 
 Signature signature_of(const std::string& id, const std::vector<CheckResult>& results) {
@@ -113,7 +114,7 @@ Signature signature_of(const std::string& id, const std::vector<CheckResult>& re
             return assertion.check == check && assertion.expression == expression;
         });
         if (same == signature.assertions.end())
-            signature.assertions.push_back({check, expression, rounded(values), 1});
+            signature.assertions.push_back({check, expression, round_numbers(values), 1});
         else
             ++same->times;
     };
@@ -127,8 +128,8 @@ Signature signature_of(const std::string& id, const std::vector<CheckResult>& re
 
 std::string signatures_text(const std::string& step, const std::vector<Signature>& signatures) {
     std::string out =
-        "# What the checks of " + step +
-        " say to each of its mistakes: the mistake, the check, how often an assertion fails, the\n"
+        "# How the checks of " + step +
+        " fail for each of its mistakes: the mistake, the check, how often an assertion fails, the\n"
         "# assertion, and its values the first time. Written by ./learn prove --write.\n";
     for (const Signature& signature : signatures) {
         out += signature.id + "\n";
@@ -157,8 +158,9 @@ std::vector<Signature> parse_signatures(const std::string& text, const std::stri
         const bool names_check = !line.starts_with("    ");
         const auto parts = fields_of(std::string_view(line).substr(std::min<std::size_t>(line.size(), 4)));
         if (signatures.empty() || !line.starts_with("  ") || (!names_check && parts.size() != 3))
-            throw Error(path + ":" + std::to_string(number) +
-                        ": not a line that prove writes; run ./learn prove --write again");
+            throw Error(
+                path + ":" + std::to_string(number) +
+                ": this line has the wrong format; run ./learn prove --write to write the file again");
         if (names_check) {
             check = line.substr(2);
         } else {
@@ -175,7 +177,7 @@ std::vector<Signature> read_signatures(const std::filesystem::path& root, const 
     return parse_signatures(read_file(path.string()), "exercises/" + step + "/signatures.txt");
 }
 
-std::vector<SignatureMatch> ranked(const std::vector<Signature>& known, const Signature& seen) {
+std::vector<SignatureMatch> rank_signatures(const std::vector<Signature>& known, const Signature& seen) {
     const Sets here(seen);
     std::vector<SignatureMatch> matches;
     for (const Signature& signature : known) {
@@ -198,7 +200,7 @@ Diagnosis diagnose(const std::vector<Signature>& known, const std::vector<std::v
         if (diagnosis.first.name.empty()) diagnosis.first = *failed;
         const auto endless = std::ranges::find(results, CheckState::endless, &CheckResult::state);
         if (endless != results.end() && !diagnosis.endless) diagnosis.endless = *endless;
-        const std::vector<SignatureMatch> matches = ranked(known, signature_of("", results));
+        const std::vector<SignatureMatch> matches = rank_signatures(known, signature_of("", results));
         if (matches.empty() || matches[0].score <= best + 1e-9) continue;
         best = matches[0].score;
         diagnosis.ids.clear();
@@ -216,18 +218,18 @@ Diagnosis diagnose(const std::vector<Signature>& known, const std::vector<std::v
 
 std::string name_of(Confidence confidence) {
     switch (confidence) {
-    case Confidence::certain: return "certainly";
-    case Confidence::likely: return "most likely";
-    case Confidence::perhaps: return "perhaps";
-    default: return "none that we know";
+    case Confidence::certain: return "certain";
+    case Confidence::likely: return "likely";
+    case Confidence::perhaps: return "possible";
+    default: return "no known mistake";
     }
 }
 
 namespace {
 
-std::string words_on_endless(const Diagnosis& diagnosis) {
-    std::string out = "A check does not end, so nothing that follows from it says what is wrong:\n  " +
-                      diagnosis.endless->name + "\n  Look for a loop or a recursion without end";
+std::string endless_text(const Diagnosis& diagnosis) {
+    std::string out = "A check does not finish, so the other results say little:\n  " +
+                      diagnosis.endless->name + "\n  Look for an endless loop or recursion";
     for (std::size_t i = 0; i < diagnosis.suspects.size(); ++i)
         out += (i == 0 ? " in " : " or ") + diagnosis.suspects[i];
     return out + ".\n";
@@ -237,20 +239,20 @@ std::string words_on_endless(const Diagnosis& diagnosis) {
 
 std::string explanation(const Diagnosis& diagnosis, const std::vector<Mistake>& catalogue) {
     if (diagnosis.first.name.empty()) return "";
-    if (diagnosis.endless) return words_on_endless(diagnosis);
+    if (diagnosis.endless) return endless_text(diagnosis);
     std::string out;
-    if (diagnosis.ids.size() > 1) out += "One of these, which the checks cannot tell apart:\n";
+    if (diagnosis.ids.size() > 1) out += "One of these; the checks cannot tell them apart:\n";
     for (const std::string& id : diagnosis.ids) {
         const auto mistake = std::ranges::find(catalogue, id, &Mistake::id);
         if (mistake == catalogue.end()) continue;
-        out += "The mistake, " + name_of(diagnosis.confidence) + ": " + mistake->title +
-               ".\n  Why: " + mistake->why + "\n  Fix: " + mistake->fix + "\n";
+        out += mistake->title + " (" + name_of(diagnosis.confidence) + ")\n  Why: " + mistake->why +
+               "\n  Fix: " + mistake->fix + "\n";
     }
     if (!out.empty()) return out;
-    out = "It is none of the mistakes that we know. Begin with the first check that fails; later ones may\n"
-          "follow from it:\n  " +
+    out = "No known mistake fits. Start with the first check that fails; later failures may only\n"
+          "be consequences of it:\n  " +
           diagnosis.first.name + "\n";
-    if (diagnosis.first.failures.empty()) return out + "  it does not end\n";
+    if (diagnosis.first.failures.empty()) return out + "  it does not finish\n";
     const Failure& failure = diagnosis.first.failures[0];
     out += "  " + failure.expression + ": " + failure.values + "\n";
     for (const std::string& note : failure.notes) out += "  " + note + "\n";

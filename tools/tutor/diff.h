@@ -1,4 +1,4 @@
-// The difference between two texts, as git shows it.
+// Compares two texts with git.
 #pragma once
 
 #include <string>
@@ -9,9 +9,8 @@ struct NamedText {
     std::string name, text;
 };
 
-/// Returns a unified diff: the changes with three lines around them, below a head that names both texts;
-/// empty if there are no changes. In colour: red what goes, green what comes. Throws Error if there is no
-/// git.
+/// Returns a unified diff with three lines of context, below a header that names both texts; empty if the
+/// texts are equal. `colour`: removed lines are red, added ones green. Throws Error if git is not installed.
 std::string unified_diff(const NamedText& first, const NamedText& second, bool colour);
 
 } // namespace rt::tutor

@@ -1,4 +1,4 @@
-// Reads the reference line by line: it is formatted by a machine, so a function begins and ends in column 0.
+// Finds exercises by scanning lines. The code is machine-formatted, so functions begin and end in column 0.
 #include "tools/tutor/exercises.h"
 
 #include "common/util/error.h"
@@ -17,7 +17,7 @@ namespace {
 
 const std::string todo = "// TODO: ";
 
-/// What follows `mark` where a line begins with it.
+/// Returns the text after `mark` if the line begins with it, ignoring indentation.
 std::optional<std::string> after(const std::string& line, const std::string& mark) {
     const std::string text = trimmed(line);
     if (!text.starts_with(mark)) return std::nullopt;
@@ -39,7 +39,8 @@ std::string indentation(const std::string& line) {
     throw Error(path + ":" + std::to_string(line) + ": " + what);
 }
 
-/// "reflected_ray" from "inline Ray reflected_ray(const Ray& ray, ..."; nothing for what is no function.
+/// Returns "reflected_ray" for "inline Ray reflected_ray(const Ray& ray, ..."; nothing if the line is
+/// not a function.
 std::optional<std::string> function_name(const std::string& line) {
     if (line.empty() || std::string(" \t/}#").find(line[0]) != std::string::npos) return std::nullopt;
     const auto bracket = line.find('(');
@@ -51,7 +52,7 @@ std::optional<std::string> function_name(const std::string& line) {
     return line.substr(first, bracket - first);
 }
 
-/// Notes the function whose body line number `line` stands in.
+/// Stores in `exercise` the function whose body contains the exercise. Throws Error if there is none.
 void find_function(Exercise& exercise, const Words& lines, const std::string& path) {
     for (int line = exercise.line; line > 0; --line) {
         const std::string& text = lines[std::size_t(line) - 1];
@@ -62,10 +63,10 @@ void find_function(Exercise& exercise, const Words& lines, const std::string& pa
             return;
         }
     }
-    refuse(path, exercise.line, "this region stands in no function");
+    refuse(path, exercise.line, "this region is not inside a function");
 }
 
-/// The text from the beginning of a function to its end, without blanks and comments. `line` from 1.
+/// Returns the text of the function that begins at `line` (from 1), without whitespace and comments.
 std::string bare_function(const Words& lines, std::size_t line) {
     std::string bare;
     for (; line <= lines.size(); ++line) {
@@ -77,7 +78,7 @@ std::string bare_function(const Words& lines, std::size_t line) {
     return bare;
 }
 
-/// The headers of steps that a file names: #include "01_spheres/ray.h".
+/// Returns the headers of steps that a file includes, such as "01_spheres/ray.h".
 Words named_headers(const std::string& text) {
     Words headers;
     for (const std::string& line : lines_of(text)) {
@@ -88,42 +89,43 @@ Words named_headers(const std::string& text) {
     return headers;
 }
 
-void visit(const std::vector<fs::path>& folders, const std::string& header, std::set<std::string>& met,
+void visit(const std::vector<fs::path>& folders, const std::string& header, std::set<std::string>& visited,
            Words& order) {
-    if (!met.insert(header).second) return;
+    if (!visited.insert(header).second) return;
     std::error_code ignored;
     for (const fs::path& folder : folders) {
         if (!fs::is_regular_file(folder / header, ignored)) continue;
         for (const std::string& next : named_headers(read_file((folder / header).string())))
-            visit(folders, next, met, order);
+            visit(folders, next, visited, order);
         break;
     }
     order.push_back(header);
 }
 
-/// The headers of a step, each after those that it includes.
+/// Returns the headers of a step, each after the headers that it includes.
 Words headers_in_order(const fs::path& steps, const std::string& step) {
     Words headers, order;
     for (const fs::path& entry : entries_of(steps / step))
         if (entry.extension() == ".h") headers.push_back(entry.filename().string());
-    std::set<std::string> met;
+    std::set<std::string> visited;
     Words all;
-    for (const std::string& header : headers) visit({steps}, step + "/" + header, met, all);
+    for (const std::string& header : headers) visit({steps}, step + "/" + header, visited, all);
     for (const std::string& header : all)
         if (header.starts_with(step + "/")) order.push_back(header.substr(step.size() + 1));
     return order;
 }
 
-/// Gives each exercise a name of its own.
+/// Gives each exercise a unique name.
 void name_exercises(std::vector<Exercise>& exercises) {
-    std::map<std::string, std::set<std::string>> functions; // by name: where such functions begin
+    std::map<std::string, std::set<std::string>>
+        functions; // name -> the places where functions of that name begin
     for (const Exercise& e : exercises)
         functions[e.function].insert(e.file + ":" + std::to_string(e.function_line));
-    std::map<std::string, int> met;
+    std::map<std::string, int> uses;
     for (Exercise& e : exercises) {
         e.name = e.function;
         if (functions[e.function].size() > 1) e.name += "_" + fs::path(e.file).stem().string();
-        const int count = ++met[e.name];
+        const int count = ++uses[e.name];
         if (count > 1) e.name += "_" + std::to_string(count);
     }
 }
@@ -146,13 +148,14 @@ std::vector<Exercise> find_exercises(const std::string& text, const std::string&
     for (int number = 1; number <= int(lines.size()); ++number) {
         const std::string& line = lines[std::size_t(number) - 1];
         if (const auto task = opening(line)) {
-            if (open) refuse(path, found.back().line, "this region has no end (//<) before the next one");
-            if (task->empty()) refuse(path, number, "this region names no task after //>");
+            if (open)
+                refuse(path, found.back().line, "this region has no end (//<) before the next one begins");
+            if (task->empty()) refuse(path, number, "the task after //> is missing");
             found.push_back({.line = number, .task = *task});
             find_function(found.back(), lines, path);
             open = true;
         } else if (const auto placeholder = closing(line)) {
-            if (!open) refuse(path, number, "a region ends here (//<) that did not begin (//>)");
+            if (!open) refuse(path, number, "a region ends here (//<) without a beginning (//>)");
             found.back().last_line = number;
             found.back().placeholder = *placeholder;
             open = false;
@@ -202,7 +205,7 @@ std::string without_markers(const std::string& text) {
     return clean;
 }
 
-int place_of(const Exercise& exercise, const std::string& text) {
+int line_of(const Exercise& exercise, const std::string& text) {
     const Words lines = lines_of(text);
     int function = 0, number = 0;
     for (const std::string& line : lines) {
@@ -218,7 +221,7 @@ bool is_untouched(const Exercise& exercise, const std::string& text, const std::
     std::set<std::string> functions;
     for (std::size_t line = 1; line <= lines.size(); ++line)
         if (function_name(lines[line - 1]) == exercise.function) functions.insert(bare_function(lines, line));
-    const std::size_t task = std::size_t(place_of(exercise, stub));
+    const std::size_t task = std::size_t(line_of(exercise, stub));
     for (std::size_t line = std::min(task, stub_lines.size()); line > 0; --line)
         if (function_name(stub_lines[line - 1]) == exercise.function)
             return functions.contains(bare_function(stub_lines, line));
@@ -238,9 +241,9 @@ bool may_not_end(const Exercise& exercise, const std::string& text) {
 }
 
 Words included_headers(const std::vector<fs::path>& folders, const std::string& header) {
-    std::set<std::string> met;
+    std::set<std::string> visited;
     Words order;
-    visit(folders, header, met, order);
+    visit(folders, header, visited, order);
     return order;
 }
 

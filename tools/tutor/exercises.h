@@ -1,5 +1,4 @@
-// The exercises: the regions of the reference between //> and //<, which a learner writes, and stubs cut from
-// them.
+// The exercises: the regions of the reference between //> and //<, which stubs replace by gaps.
 #pragma once
 
 #include "tools/tutor/util.h"
@@ -10,50 +9,52 @@
 
 namespace rt::tutor {
 
-/// One region. `//> task` opens it, `//< placeholder` closes it.
+/// An exercise: a region that `//> task` opens and `//< placeholder` closes.
 struct Exercise {
     std::string step;      ///< "03_mirror"
     std::string file;      ///< "mirror.h"
-    std::string function;  ///< that the region stands in: "reflected_ray"
-    std::string name;      ///< the function's, unless the step has another of that name: unique in the step
-    int line = 0;          ///< of //> in the reference, from 1
-    int last_line = 0;     ///< of //<
-    int function_line = 0; ///< where the function begins, below a template's <...>
+    std::string function;  ///< that contains the region: "reflected_ray"
+    std::string name;      ///< unique in the step: the function's name, with a suffix if it is not unique
+    int line = 0;          ///< line of //> in the reference, from 1
+    int last_line = 0;     ///< line of //<
+    int function_line = 0; ///< where the function begins, after "template <...>"
     std::string task;
-    std::string placeholder; ///< what stands in a stub; may be nothing
-    Words reference;         ///< the lines between the two, as they stand
+    std::string placeholder; ///< the code in a stub; may be empty
+    Words reference;         ///< the lines between the two markers, unchanged
 };
 
-/// What stands in a folder, sorted; nothing if it cannot be read, or only what could be.
+/// Returns the sorted entries of a folder; empty or incomplete if it cannot be read.
 std::vector<std::filesystem::path> entries_of(const std::filesystem::path& folder);
 
-/// The regions of one file of a step. `path` is named in the Error that a region without end, without task or
-/// outside of a function throws.
+/// Returns the regions of one file of a step. Throws Error, which names `path`, for a region without an end
+/// or a task, or outside of a function.
 std::vector<Exercise> find_exercises(const std::string& text, const std::string& path);
 
-/// All exercises of a step, in an order in which they can be written: a file after those that it includes.
-/// Where several functions of a step have one name, each is named after its file too: intersect_sphere; a
-/// second region of one function is fresnel_2.
+/// Returns all exercises of a step in an order in which they can be written: a file comes after those that it
+/// includes. If several functions of a step have the same name, the file is appended (intersect_sphere); the
+/// second region of a function is called fresnel_2.
 std::vector<Exercise> find_step_exercises(const std::filesystem::path& steps, const std::string& step);
 
-/// The file with the regions of these exercises cut: the task as a TODO, and the placeholder. Regions of
-/// others stay as they are.
+/// Returns the file with the regions of these exercises replaced by the task as a TODO, and the placeholder.
+/// Other regions are kept.
 std::string make_stub(const std::string& text, const std::vector<Exercise>& exercises);
 
-/// The file as one reads it: without the lines of the markers.
+/// Returns the file without the marker lines.
 std::string without_markers(const std::string& text);
 
-/// Where an exercise stands in a learner's file: its TODO, else its function, else the first line.
-int place_of(const Exercise& exercise, const std::string& text);
+/// Returns the line of an exercise in a learner's file: that of its TODO, else of its function, else 1.
+int line_of(const Exercise& exercise, const std::string& text);
 
-/// Whether the exercise's function still is what the stub says; blanks and comments do not count.
+/// Returns whether the exercise's function is still the same as in the stub, ignoring
+/// whitespace and comments.
 bool is_untouched(const Exercise& exercise, const std::string& text, const std::string& stub);
 
-/// Whether the exercise's function in the learner's file has a loop or calls itself, so that it may not end.
+/// Returns whether the exercise's function in the learner's file has a loop or calls itself, so that it
+/// may run forever.
 bool may_not_end(const Exercise& exercise, const std::string& text);
 
-/// A header ("03_mirror/mirror.h") and all headers of the steps that it includes, those before it that it
-/// needs. A header in the first of `folders` that has it takes the others' place.
+/// Returns a header ("03_mirror/mirror.h") and all step headers that it includes, dependencies first. If
+/// several `folders` have a header, the first one is used.
 Words included_headers(const std::vector<std::filesystem::path>& folders, const std::string& header);
 
 } // namespace rt::tutor

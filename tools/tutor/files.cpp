@@ -1,4 +1,4 @@
-// ./learn start, diff and undo: makes, shows and puts aside the learner's files.
+// ./learn start, diff and undo: creates the learner's files, compares them, and moves them out of the way.
 #include "common/util/report_error.h"
 #include "common/util/error.h"
 #include "common/util/file_bytes.h"
@@ -47,9 +47,10 @@ std::string unified_diff(const NamedText& first, const NamedText& second, bool c
         const bool hunk = line.starts_with("@@ ");
         if (hunk && out.empty())
             out = painted("1", "--- " + first.name, colour) + painted("1", "+++ " + second.name, colour);
-        if (out.empty()) continue; // git's own head
+        if (out.empty()) continue; // git's header
         if (hunk)
-            out += painted("36", line.substr(0, line.find(" @@") + 3), colour); // without the function's name
+            out +=
+                painted("36", line.substr(0, line.find(" @@") + 3), colour); // drops the name of the function
         else
             out += line.starts_with(' ') ? printable_lines(line) + "\n"
                                          : painted(line[0] == '-' ? "31" : "32", line, colour);
@@ -59,7 +60,7 @@ std::string unified_diff(const NamedText& first, const NamedText& second, bool c
 
 namespace {
 
-/// A file without the markers of its exercises, every line ending with \n.
+/// Returns a file without the markers of its exercises and with \n as line ends.
 NamedText plain_text(const fs::path& path) {
     std::string text = without_markers(read_file(path.string()));
     std::erase(text, '\r');
@@ -71,11 +72,11 @@ void diff_file(const Project& project, const std::string& step, const std::strin
     const fs::path reference = steps_folder(project) / step / file, own = project.workshop / step / file;
     std::error_code ignored;
     if (!fs::exists(reference, ignored)) {
-        out << display_path(own) << ": yours alone, the reference has no such file\n";
+        out << display_path(own) << ": only yours; the reference has no such file\n";
         return;
     }
     const std::string text = unified_diff(plain_text(reference), plain_text(own), colour);
-    out << (text.empty() ? display_path(own) + ": as the reference\n" : text);
+    out << (text.empty() ? display_path(own) + ": same as the reference\n" : text);
 }
 
 } // namespace
@@ -91,7 +92,7 @@ namespace {
 
 using Contents = std::vector<std::pair<std::string, std::string>>; ///< file name, text
 
-/// What a file of the reference looks like when all its exercises are cut.
+/// Returns a file of the reference with all its exercises replaced by gaps.
 std::string stub_of(const Project& project, const std::string& step, const std::string& file,
                     const std::vector<Exercise>& exercises) {
     std::vector<Exercise> here;
@@ -100,7 +101,7 @@ std::string stub_of(const Project& project, const std::string& step, const std::
     return make_stub(read_file((steps_folder(project) / step / file).string()), here);
 }
 
-/// The stubs of the files that the learner does not have yet.
+/// Returns the stubs of the files that the learner does not have yet.
 Contents missing_stubs(const Project& project, const std::string& step,
                        const std::vector<Exercise>& exercises, std::ostream& out) {
     Contents stubs;
@@ -108,7 +109,7 @@ Contents missing_stubs(const Project& project, const std::string& step,
     for (const std::string& file : files_to_write(exercises)) {
         const fs::path place = project.workshop / step / file;
         if (fs::exists(fs::symlink_status(place, ignored)))
-            out << display_path(place) << " is there already: left as it is\n";
+            out << display_path(place) << " already exists and was not changed\n";
         else
             stubs.emplace_back(file, stub_of(project, step, file, exercises));
     }
@@ -120,22 +121,22 @@ void write_stubs(const Project& project, const std::string& step, const Contents
     for (const auto& [file, stub] : stubs) check_file_writable((folder / file).string());
     for (const auto& [file, stub] : stubs) {
         write_file((folder / file).string(), stub);
-        out << "made " << display_path(folder / file) << "\n";
+        out << "created " << display_path(folder / file) << "\n";
     }
 }
 
 void list_tasks(const Project& project, const std::vector<Exercise>& exercises, std::ostream& out) {
     for (const Exercise& exercise : exercises) {
         const fs::path path = project.workshop / exercise.step / exercise.file;
-        out << "  " << display_path(path, place_of(exercise, read_file(path.string()))) << "  "
+        out << "  " << display_path(path, line_of(exercise, read_file(path.string()))) << "  "
             << exercise.name << "\n"
             << "      " << exercise.task << "\n";
     }
 }
 
-/// The learner's files of earlier steps that the step's files include.
-void name_foundations(const Project& project, const std::string& step, const std::vector<Exercise>& exercises,
-                      std::ostream& out) {
+/// Lists the learner's files of earlier steps that the step's files include.
+void list_dependencies(const Project& project, const std::string& step,
+                       const std::vector<Exercise>& exercises, std::ostream& out) {
     Words own;
     std::error_code ignored;
     for (const std::string& file : files_to_write(exercises))
@@ -146,10 +147,10 @@ void name_foundations(const Project& project, const std::string& step, const std
                 own.push_back(header);
     std::string names;
     for (const std::string& header : own) names += (names.empty() ? "" : ", ") + header;
-    if (!own.empty()) out << "yours  " << names << ": what you write builds on them\n";
+    if (!own.empty()) out << "Your files of earlier steps, which this step uses: " << names << "\n";
 }
 
-/// Not the step's folder, where the answers are.
+/// Returns what to read. Not the step's folder, which contains the solutions.
 std::string what_to_read(const Project& project, const std::string& step) {
     std::error_code ignored;
     const fs::path chapter = project.root / "docs" / (step + ".md");
@@ -162,20 +163,20 @@ void start_step(const Project& project, const std::string& step, std::ostream& o
     const std::vector<Exercise> exercises = exercises_of(project, step);
     const std::string number = number_of(step);
     make_folder(project.workshop / step);
-    out << "Step " << number << " asks: " << question_of(project, step) << "\n\n";
+    out << "Step " << number << ": " << question_of(project, step) << "\n\n";
     write_stubs(project, step, missing_stubs(project, step, exercises, out), out);
-    out << "\nWrite " << exercises.size() << " functions, best in this order:\n";
+    out << "\nWrite " << exercises.size() << " functions. This is a good order:\n";
     list_tasks(project, exercises, out);
     out << "\n";
-    name_foundations(project, step, exercises, out);
-    out << "read   " << what_to_read(project, step) << "\n"
-        << "then   ./learn check " << number << "\n"
-        << "stuck  ./learn hint " << number << " " << exercises.front().name << "\n";
+    list_dependencies(project, step, exercises, out);
+    out << "Read:      " << what_to_read(project, step) << "\n"
+        << "Check:     ./learn check " << number << "\n"
+        << "Get help:  ./learn hint " << number << " " << exercises.front().name << "\n";
 }
 
 namespace {
 
-/// Now, as 2026-01-31-235959.
+/// Returns the local time as 2026-01-31-235959.
 std::string time_stamp() {
     const std::time_t now = std::time(nullptr);
     std::array<char, 32> text{};
@@ -183,8 +184,8 @@ std::string time_stamp() {
     return text.data();
 }
 
-/// A name in the backup folder that nothing has yet.
-fs::path free_place(const fs::path& folder, const std::string& file) {
+/// Returns a path in the backup folder that does not exist yet.
+fs::path unused_path(const fs::path& folder, const std::string& file) {
     const fs::path first = folder / (file + "." + time_stamp());
     fs::path place = first;
     std::error_code ignored;
@@ -195,7 +196,7 @@ fs::path free_place(const fs::path& folder, const std::string& file) {
     return place;
 }
 
-/// A path as a shell takes it for one word.
+/// Returns a path quoted for a shell.
 std::string quoted(const fs::path& path) {
     const std::string text = display_path(path);
     const bool plain = std::ranges::all_of(text, [](unsigned char c) {
@@ -207,17 +208,17 @@ std::string quoted(const fs::path& path) {
     return word + "'";
 }
 
-void put_aside(const Project& project, const std::string& step, const std::string& file, std::ostream& out) {
+void back_up(const Project& project, const std::string& step, const std::string& file, std::ostream& out) {
     const fs::path folder = project.workshop / ".backup" / step;
     make_folder(folder);
-    const fs::path from = project.workshop / step / file, to = free_place(folder, file);
+    const fs::path from = project.workshop / step / file, to = unused_path(folder, file);
     std::error_code failure;
     fs::rename(from, to, failure);
     if (failure)
         throw Error("cannot move " + display_path(from) + " to " + display_path(to) + " (" +
                     failure.message() + ")");
     out << "moved " << display_path(from) << " to " << display_path(to) << "\n"
-        << "  to get it back: mv " << quoted(to) << " " << quoted(from) << "\n";
+        << "  to restore it: mv " << quoted(to) << " " << quoted(from) << "\n";
 }
 
 } // namespace
@@ -225,8 +226,8 @@ void put_aside(const Project& project, const std::string& step, const std::strin
 void undo_files(const Project& project, const std::string& step, const std::string& file, std::ostream& out) {
     Words files = own_files(project, step);
     if (!file.empty() || files.empty()) files = {find_own_file(project, step, file)};
-    for (const std::string& each : files) put_aside(project, step, each, out);
-    out << "the reference counts again; ./learn start " << number_of(step) << " makes a new stub\n";
+    for (const std::string& each : files) back_up(project, step, each, out);
+    out << "the reference is used again; ./learn start " << number_of(step) << " creates a new stub\n";
 }
 
 } // namespace rt::tutor

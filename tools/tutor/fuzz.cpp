@@ -28,7 +28,7 @@ bool has_libfuzzer(const fs::path& folder) {
     }
 }
 
-/// In memory, if the system has such a place: the targets write many small files.
+/// Returns a folder in memory if the system has one, because the targets write many small files.
 fs::path quick_folder() {
     std::error_code ignored;
     return fs::is_directory("/dev/shm", ignored) ? "/dev/shm" : fs::temp_directory_path();
@@ -41,14 +41,14 @@ void print_row(const Words& cells) {
               << std::endl;
 }
 
-/// What stands behind `mark` in the last line that has it.
+/// Returns the text after `mark` in the last line that contains it, or "0".
 std::string last_after(const std::string& text, const std::string& mark) {
     const std::size_t at = text.rfind(mark);
     if (at == text.npos) return "0";
     return trimmed(text.substr(at + mark.size(), text.find('\n', at) - at - mark.size()));
 }
 
-/// The findings of the past and the seeds, from tests/fuzz.
+/// Returns the files of past findings and the seeds, from tests/fuzz.
 Words past_inputs(const fs::path& root, const std::string& target) {
     Words files;
     for (const char* kind : {"findings", "corpus"})
@@ -57,7 +57,7 @@ Words past_inputs(const fs::path& root, const std::string& target) {
     return files;
 }
 
-/// Replays what is known, then searches. Returns whether all went well.
+/// Replays the known inputs, then searches for new ones. Returns whether all of them passed.
 bool fuzz_target(const Preset& preset, const std::string& target, const FuzzOptions& options) {
     const fs::path build = preset.folder(), log = build / (target + ".log"),
                    corpus = build / "corpus" / target, found = build / "found" / target;
@@ -69,7 +69,8 @@ bool fuzz_target(const Preset& preset, const std::string& target, const FuzzOpti
     append(replay, past);
     if (run_process(replay, {.log = log}).code != 0) {
         print_row({target, "-", "-",
-                   "known: " + last_after(read_file(log.string()), "Running: ") + ", see " + log.string()});
+                   "known input fails: " + last_after(read_file(log.string()), "Running: ") + ", see " +
+                       log.string()});
         return false;
     }
     for (const std::string& file : past)
@@ -100,8 +101,7 @@ int fuzz(const Project& project, const FuzzOptions& options) {
     const TemporaryFolder folder(quick_folder());
     set_environment("TMPDIR", folder.path.string());
     if (!has_libfuzzer(folder.path))
-        throw Error(
-            "fuzz needs clang++ and its libFuzzer; on Debian: apt-get install clang libclang-rt-14-dev");
+        throw Error("fuzz needs clang++ with libFuzzer; on Debian: apt-get install clang libclang-rt-14-dev");
     make(preset, {"fuzz"});
     const Words targets = options.target.empty() ? fuzz_targets(project) : Words{options.target};
     print_row({"target", "executions", "CPU s", "findings"});

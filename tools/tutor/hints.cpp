@@ -1,5 +1,4 @@
-// Reads hints, which are plain Markdown, and shows one tier more at each call of ./learn hint; never the
-// code.
+// ./learn hint: parses the hints of a step and shows the next of three at each call.
 #include "common/util/error.h"
 #include "common/util/file_bytes.h"
 #include "tools/tutor/commands.h"
@@ -31,11 +30,11 @@ Hints parse_hints(const std::string& text, const std::string& path) {
         if (line.empty() || line.starts_with("# ")) continue;
         if (line.starts_with("## ")) {
             const auto [place, is_new] = hints.try_emplace(line.substr(3));
-            if (!is_new) refuse(path, number, "a second set of hints for " + line.substr(3));
+            if (!is_new) refuse(path, number, "there are already hints for " + line.substr(3));
             current = &place->second;
             continue;
         }
-        if (!current) refuse(path, number, "a hint stands below '## name'");
+        if (!current) refuse(path, number, "expected '## name' before the first hint");
         const std::string mark = std::to_string(current->size() + 1) + ". ";
         if (line.starts_with(mark) && line.size() > mark.size())
             current->push_back(line.substr(mark.size()));
@@ -43,7 +42,7 @@ Hints parse_hints(const std::string& text, const std::string& path) {
             current->back() += " " + without_blanks_before(line);
         else
             refuse(path, number,
-                   "expected '" + mark + "' and a hint, or three blanks and more of the last one");
+                   "expected '" + mark + "' and a hint, or three spaces and the rest of the last hint");
     }
     return hints;
 }
@@ -53,12 +52,13 @@ Hints read_hints(const std::filesystem::path& root, const std::string& step,
     const std::string path = (root / "exercises" / step / "hints.md").string();
     Hints hints = parse_hints(read_file(path), path);
     for (const Exercise& exercise : exercises)
-        if (!hints.contains(exercise.name)) throw Error(path + ": no hints for " + exercise.name);
+        if (!hints.contains(exercise.name)) throw Error(path + ": there are no hints for " + exercise.name);
     for (const auto& [name, texts] : hints) {
         if (std::ranges::find(exercises, name, &Exercise::name) == exercises.end())
-            throw Error(path + ": hints for " + name + ", which is no exercise of " + step);
-        if (texts.size() != tiers)
-            throw Error(path + ": " + std::to_string(texts.size()) + " hints for " + name + ", not three");
+            throw Error(path + ": there are hints for " + name + ", which is not an exercise of " + step);
+        if (texts.size() != hint_count)
+            throw Error(path + ": " + std::to_string(texts.size()) + " hints for " + name +
+                        "; there must be three");
     }
     return hints;
 }
@@ -69,10 +69,10 @@ std::string key_of(const Exercise& exercise) {
     return exercise.step + "\t" + exercise.name;
 }
 
-/// How many tiers of the exercise have been shown.
+/// Returns how many hints of the exercise have been shown.
 std::size_t count_shown(const ShownHints& shown_hints, const Exercise& exercise) {
     const auto found = shown_hints.find(key_of(exercise));
-    return found == shown_hints.end() ? 0 : std::min(std::size_t(found->second), tiers);
+    return found == shown_hints.end() ? 0 : std::min(std::size_t(found->second), hint_count);
 }
 
 /// Prints a text in lines of at most 90 characters.
@@ -96,14 +96,14 @@ void print_place(const Project& project, const Exercise& exercise, std::ostream&
     const auto path = project.workshop / exercise.step / exercise.file;
     out << exercise.name;
     if (std::filesystem::exists(path, ignored))
-        out << " in " << display_path(path, place_of(exercise, read_file(path.string())));
+        out << " in " << display_path(path, line_of(exercise, read_file(path.string())));
     out << "\ntask: " << exercise.task << "\n";
 }
 
 void print_next_step(const Exercise& exercise, std::size_t count, std::ostream& out) {
     const std::string number = number_of(exercise.step);
-    if (count < tiers)
-        out << "\nmore: ./learn hint " << number << " " << exercise.name << "\n";
+    if (count < hint_count)
+        out << "\nNext hint: ./learn hint " << number << " " << exercise.name << "\n";
     else
         out << "\nThere are no more hints. ./learn diff " << number << " " << exercise.file
             << " shows the reference.\n";
@@ -112,30 +112,29 @@ void print_next_step(const Exercise& exercise, std::size_t count, std::ostream& 
 void list_exercises(const std::string& step, const std::vector<Exercise>& exercises,
                     const ShownHints& shown_hints, std::ostream& out) {
     const std::string number = number_of(step);
-    out << "The exercises of " << step << ", and how many of their hints you have seen:\n";
+    out << "The functions of " << step << ", and how many of their hints you have seen:\n";
     for (const Exercise& exercise : exercises)
-        out << "  " << count_shown(shown_hints, exercise) << " of " << tiers << "  " << exercise.name << " ("
-            << exercise.file << "): " << exercise.task << "\n";
+        out << "  " << count_shown(shown_hints, exercise) << " of " << hint_count << "  " << exercise.name
+            << " (" << exercise.file << "): " << exercise.task << "\n";
     out << "\nnext: ./learn hint " << number << " " << exercises.front().name << "\n";
 }
 
-/// Tiers first + 1 to last of an exercise.
+/// The hints with indices `first` to `last` - 1.
 struct Range {
     std::size_t first, last;
 };
 
-/// What to show of an exercise of which `before` tiers have been shown. After the last one it is the last one
-/// again.
+/// Returns which hints to show if `before` of them have been shown. After the last hint, it is shown again.
 Range range_of(HintMode mode, std::size_t before) {
-    if (mode == HintMode::all) return {0, tiers};
+    if (mode == HintMode::all) return {0, hint_count};
     const std::size_t last =
-        mode == HintMode::again ? std::max<std::size_t>(before, 1) : std::min(before + 1, tiers);
+        mode == HintMode::again ? std::max<std::size_t>(before, 1) : std::min(before + 1, hint_count);
     return {last - 1, last};
 }
 
-void print_tiers(const Words& texts, const Range& range, std::ostream& out) {
+void print_texts(const Words& texts, const Range& range, std::ostream& out) {
     for (std::size_t tier = range.first; tier < range.last; ++tier) {
-        out << "\nHint " << tier + 1 << " of " << tiers << "\n";
+        out << "\nHint " << tier + 1 << " of " << hint_count << "\n";
         print_wrapped(texts[tier], out);
     }
 }
@@ -144,7 +143,7 @@ void forget(const Project& project, ShownHints shown_hints, const std::vector<Ex
             const std::string& what, std::ostream& out) {
     for (const Exercise& exercise : exercises) shown_hints.erase(key_of(exercise));
     write_shown_hints(project, shown_hints);
-    out << "the hints of " << what << " begin anew\n";
+    out << "the hints for " << what << " start again with the first\n";
 }
 
 } // namespace
@@ -164,7 +163,7 @@ void show_hints(const Project& project, const std::string& step, const std::stri
     const std::size_t before = count_shown(shown_hints, exercise);
     const Range range = range_of(mode, before);
     print_place(project, exercise, out);
-    print_tiers(hints.at(name), range, out);
+    print_texts(hints.at(name), range, out);
     const std::size_t now = std::max(before, range.last);
     print_next_step(exercise, now, out);
     if (now == before) return;

@@ -1,5 +1,4 @@
-// The hints of a step, read from exercises/NN_name/hints.md: three tiers an exercise, what to look at, which
-// formula, which line.
+// The hints of a step, from exercises/NN_name/hints.md: what to look at, which formula, which line.
 #pragma once
 
 #include "tools/tutor/exercises.h"
@@ -11,17 +10,17 @@
 
 namespace rt::tutor {
 
-/// By the exercise's name: its tiers, each a line of text without line ends.
+/// Maps the name of an exercise to its hints, each a single line.
 using Hints = std::map<std::string, Words>;
 
-inline constexpr std::size_t tiers = 3;
+inline constexpr std::size_t hint_count = 3;
 
-/// `## name` begins an exercise, `1. ` a tier, and lines that are indented go on with it. Throws Error that names
-/// file and line for anything else.
+/// Parses a file of hints: `## name` begins an exercise, `1. ` a hint, and indented lines continue it. Throws
+/// Error, which names the file and the line, for anything else.
 Hints parse_hints(const std::string& text, const std::string& path);
 
-/// Those in ROOT/exercises/STEP/hints.md. Throws Error if an exercise lacks its three, or if hints are left
-/// over.
+/// Returns the hints in ROOT/exercises/STEP/hints.md. Throws Error unless there are exactly three for each
+/// exercise and none for anything else.
 Hints read_hints(const std::filesystem::path& root, const std::string& step,
                  const std::vector<Exercise>& exercises);
 

@@ -1,5 +1,6 @@
-// The program behind every ./learn command. Exit code: 0 all is well, 1 a check or a picture is wrong, 2 the
-// command is wrong or a file cannot be read or written.
+// The program behind the commands of ./learn.
+// Exit code: 0 success, 1 a check failed or a picture is wrong, 2 the command is wrong or a file cannot be
+// read or written.
 #include "tools/tutor/build.h"
 #include "tools/tutor/commands.h"
 #include "tools/tutor/system.h"
@@ -21,7 +22,7 @@ namespace rt::tutor {
 
 namespace {
 
-/// What was typed; each command reads its part.
+/// The arguments of all commands; each command reads those that it needs.
 struct Arguments {
     std::string root = ".", workshop, build, step, name, junit;
     Words steps;
@@ -44,7 +45,8 @@ struct Arguments {
     }
 };
 
-/// Whether a person looks on, whose terminal shows colours and who has not refused them (no-color.org).
+/// Returns whether to print colours: stdout is a terminal that supports them, and the user has not turned
+/// them off (no-color.org).
 bool colour_is_welcome() {
     const char* const refused = std::getenv("NO_COLOR");
     const char* const terminal = std::getenv("TERM");
@@ -59,7 +61,7 @@ CLI::App* add_command(CLI::App& app, const std::string& name, const std::string&
 }
 
 CLI::Option* add_step(CLI::App* command, Arguments& given) {
-    return command->add_option("STEP", given.step, "3, 03 and 03_mirror all name a step");
+    return command->add_option("STEP", given.step, "the step: 3, 03 or 03_mirror");
 }
 
 void add_check(CLI::App& app, Arguments& given, const std::string& name, const std::string& help,
@@ -71,53 +73,57 @@ void add_check(CLI::App& app, Arguments& given, const std::string& name, const s
         given.code = check(project, {given.full_step(), build, !given.no_picture}, std::cout);
     });
     add_step(command, given)->required();
-    command->add_flag("--no-picture", given.no_picture, "the checks alone");
-    command->add_option("--build", given.build, "the folder of the build, if not ROOT/build/release");
+    command->add_flag("--no-picture", given.no_picture, "run only the checks");
+    command->add_option("--build", given.build, "the build folder, by default ROOT/build/release");
 }
 
 void add_hint(CLI::App& app, Arguments& given) {
     CLI::App* const hint = add_command(
-        app, "hint", "Gives the next of three hints: what to look at, which formula, which line.", [&given] {
+        app, "hint", "Shows the next of three hints: what to look at, which formula, which line.", [&given] {
             show_hints(given.project(), given.full_step(), given.name, given.hint_mode(), std::cout);
         });
     add_step(hint, given)->required();
     hint->add_option("FUNCTION", given.name,
-                     "as in reflected_ray; without it, a list of the step's functions");
-    CLI::Option* const again = hint->add_flag("--again", given.again, "the last hint once more");
-    CLI::Option* const all = hint->add_flag("--all", given.all, "all three")->excludes(again);
-    hint->add_flag("--reset", given.reset, "forget which were shown")->excludes(again)->excludes(all);
+                     "such as reflected_ray; without it, lists the functions of the step");
+    CLI::Option* const again = hint->add_flag("--again", given.again, "show the last hint again");
+    CLI::Option* const all = hint->add_flag("--all", given.all, "show all three hints")->excludes(again);
+    hint->add_flag("--reset", given.reset, "start again with the first hint")->excludes(again)->excludes(all);
 }
 
 void add_workshop_commands(CLI::App& app, Arguments& given) {
-    add_step(
-        add_command(app, "start",
-                    "Cuts the files of a step into workshop/, with gaps where you write; never overwrites.",
-                    [&given] { start_step(given.project(), given.full_step(), std::cout); }),
-        given)
+    add_step(add_command(app, "start",
+                         "Copies the files of a step into workshop/, with gaps for you to fill in. Never "
+                         "overwrites a file.",
+                         [&given] { start_step(given.project(), given.full_step(), std::cout); }),
+             given)
         ->required();
     add_check(
         app, given, "check",
-        "Runs the step's checks on your files and those of the steps before, renders, compares, and says "
-        "what is likely wrong and what to do next. Exit code 0 only when all hold.",
+        "Builds your files, runs the checks of the step and of the earlier steps, renders, compares the "
+        "picture with the reference, and says what is likely wrong and what to do next. Exit code 0 only "
+        "if everything passes.",
         check_step);
-    add_check(app, given, "watch", "Checks again at each save; q ends.", watch_step);
-    add_command(app, "status", "Shows the steps, what is done, and what is next.",
+    add_check(app, given, "watch", "Runs the check again each time you save a file; q quits.", watch_step);
+    add_command(app, "status", "Shows which steps are done, and what to do next.",
                 [&given] { show_status(given.project(), std::cout); });
     add_hint(app, given);
     CLI::App* const diff = add_command(
-        app, "diff", "Shows the reference (-) against your file (+): it gives the answer away.", [&given] {
+        app, "diff",
+        "Shows the differences between the reference (-) and your file (+). This shows the solution.",
+        [&given] {
             show_diff(given.project(), given.full_step(), given.name, colour_is_welcome(), std::cout);
         });
     CLI::App* const undo = add_command(
-        app, "undo", "Moves your file into workshop/.backup/, so that the reference counts again.",
+        app, "undo", "Moves your file into workshop/.backup/, so that the reference is used again.",
         [&given] { undo_files(given.project(), given.full_step(), given.name, std::cout); });
     for (CLI::App* const command : {diff, undo}) {
         add_step(command, given)->required();
-        command->add_option("FILE", given.name, "as in mirror.h; without it, all your files of the step");
+        command->add_option("FILE", given.name, "such as mirror.h; without it, all your files of the step");
     }
 }
 
-/// A command whose arguments, but for a first STEP, are those of another program, --help included.
+/// Adds a command that passes all its arguments, except for a leading STEP but including --help,
+/// to another program.
 CLI::App* add_wrapper(CLI::App& app, const std::string& name, const std::string& help,
                       const std::function<void(const Words&)>& action) {
     CLI::App* const command = app.add_subcommand(name, help);
@@ -131,15 +137,15 @@ void add_run(CLI::App& app, Arguments& given) {
     CLI::App* run = nullptr;
     run = add_wrapper(
         app, "run",
-        "Renders a step, or all of them, into renders/, and compares with the references. Flags after "
-        "the step go to its program: ./learn run 03 --help lists them.",
+        "Renders a step, or all steps, into renders/, and compares with the reference pictures. Flags after "
+        "the step are passed to its program; ./learn run 03 --help lists them.",
         [&given, &app](const Words& flags) {
             if (given.step.empty() && !flags.empty()) {
                 if (flags[0] == "-h" || flags[0] == "--help") {
                     std::cout << app.get_subcommand("run")->help();
                     return;
                 }
-                throw Error("which step? for example: ./learn run 03 " + joined(flags, " "));
+                throw Error("the step is missing; for example: ./learn run 03 " + joined(flags, " "));
             }
             given.code = run_steps(given.project(), given.step.empty() ? "" : given.full_step(), flags);
         });
@@ -150,8 +156,8 @@ void add_trace(CLI::App& app, Arguments& given) {
     CLI::App* trace = nullptr;
     trace = add_command(
         app, "trace",
-        "Prints the rays of one pixel: what each meets and what it brings back. Further flags go to the "
-        "step's program.",
+        "Prints the rays of one pixel: what each ray hits and the radiance that it returns. Further flags "
+        "are passed to the step's program.",
         [&given, &app] {
             trace_pixel(given.project(), given.full_step(), given.pixel,
                         app.get_subcommand("trace")->remaining());
@@ -167,24 +173,24 @@ void add_trace(CLI::App& app, Arguments& given) {
 
 void add_test(CLI::App& app, Arguments& given) {
     CLI::App* const test =
-        add_command(app, "test", "Builds and runs every check, or those of a step or of a group.",
+        add_command(app, "test", "Builds and runs all checks, or those of one step or group.",
                     [&given] { given.code = run_tests(given.project(), given.name, given.junit); });
     test->add_option(
         "WHICH", given.name,
-        "a step; or common, compare, guards, bench, tutor, docs, fuzz, statistics, faults or reference");
-    test->add_option("--junit", given.junit, "a file for the results as JUnit XML");
+        "a step, or common, compare, guards, bench, tutor, docs, fuzz, statistics, faults or reference");
+    test->add_option("--junit", given.junit, "write the results to this file as JUnit XML");
 }
 
 void add_bench(CLI::App& app, Arguments& given) {
     CLI::App* const bench =
-        app.add_subcommand("bench", "Measures how fast everything is, and writes a report with plots.");
+        app.add_subcommand("bench", "Measures the speed of all parts, and writes a report with plots.");
     bench->add_option(
         "NAME", given.bench.name,
         "traversal, scaling, renders, convergence, obj or kernels; loop measures how long a learner waits "
-        "for a check; further flags go to the benchmark's program, --help among them");
-    bench->add_flag("--quick", given.bench.quick, "only shows that it runs");
-    bench->add_option("--json", given.bench.json, "a file for the numbers");
-    bench->add_option("--out", given.bench.out, "a folder for the report");
+        "for a check. Further flags, including --help, are passed to the benchmark's program");
+    bench->add_flag("--quick", given.bench.quick, "only a short run, to see that it works");
+    bench->add_option("--json", given.bench.json, "write the results to this file");
+    bench->add_option("--out", given.bench.out, "write the report into this folder");
     bench->set_help_flag();
     bench->allow_extras();
     bench->callback([&given, bench] {
@@ -200,11 +206,10 @@ void add_bench(CLI::App& app, Arguments& given) {
 void add_fuzz(CLI::App& app, Arguments& given) {
     CLI::App* const command = add_command(
         app, "fuzz",
-        "Feeds the parsers with inputs that clang's libFuzzer makes up, under AddressSanitizer and "
-        "UndefinedBehaviorSanitizer: first the findings of the past and the seeds (tests/fuzz), then new "
-        "inputs, a "
-        "minute per target, two targets at a time. A target ends at its first finding, which stays in "
-        "build/fuzz/found/TARGET. Exit code: 0 nothing was found, 1 something was, 2 the command is wrong.",
+        "Tests the parsers with generated inputs (libFuzzer), under AddressSanitizer and "
+        "UndefinedBehaviorSanitizer: first the past findings and the seeds in tests/fuzz, then new inputs, "
+        "one minute per target, two targets at a time. A target stops at its first finding, which is kept "
+        "in build/fuzz/found/TARGET. Exit code: 0 nothing found, 1 something found, 2 the command is wrong.",
         [&given] {
             if (given.minutes > 0) given.fuzz.seconds = 60 * given.minutes;
             const Words targets = fuzz_targets(given.project());
@@ -213,12 +218,12 @@ void add_fuzz(CLI::App& app, Arguments& given) {
                             joined(targets, " "));
             given.code = fuzz(given.project(), given.fuzz);
         });
-    command->add_option("TARGET", given.fuzz.target, "without it, all targets");
+    command->add_option("TARGET", given.fuzz.target, "by default all targets");
     command->footer([&given] { return "Targets: " + joined(fuzz_targets(given.project()), " "); });
     const CLI::Range from_one(1, 99999);
-    command->add_option("--seconds", given.fuzz.seconds, "how long each target is searched")->check(from_one);
-    command->add_option("--minutes", given.minutes, "the same in minutes")->check(from_one);
-    command->add_option("--seed", given.fuzz.seed, "of libFuzzer's random numbers")->check(from_one);
+    command->add_option("--seconds", given.fuzz.seconds, "time per target")->check(from_one);
+    command->add_option("--minutes", given.minutes, "time per target, in minutes")->check(from_one);
+    command->add_option("--seed", given.fuzz.seed, "seed of libFuzzer's random numbers")->check(from_one);
 }
 
 void add_maintenance(CLI::App& app, Arguments& given) {
@@ -229,11 +234,11 @@ void add_maintenance(CLI::App& app, Arguments& given) {
             hand_over({given.root}, name, all);
         });
     };
-    tool("compare", "Says whether two pictures are the same, and if not, what differs.", {});
-    tool("weave", "Fills the chapters' listings, diffs, galleries and outputs with what is there.",
-         {"--root"});
+    tool("compare", "Says whether two pictures are the same, and if not, how they differ.", {});
+    tool("weave", "Updates the listings, diffs, galleries and outputs in the chapters.", {"--root"});
     add_wrapper(app, "prove",
-                "Proves that the checks check: each gap and each known mistake fails them and is named.",
+                "Proves that the checks work: each gap and each known mistake makes them fail, and the "
+                "mistake is named.",
                 [&given](const Words& words) {
                     const Preset preset{given.root};
                     make(preset, {"prove", "test_main"});
@@ -243,28 +248,31 @@ void add_maintenance(CLI::App& app, Arguments& given) {
                     append(command, words);
                     replace_process(command);
                 });
-    CLI::App* const figures = add_command(
-        app, "figures", "Makes the pictures and plots of the chapters, and prints their settings.", [&given] {
-            Words steps;
-            for (const std::string& step : given.steps) steps.push_back(find_step(given.project(), step));
-            make_figures(given.project(), steps);
-        });
-    figures->add_option("STEPS", given.steps, "of these chapters alone");
-    add_step(add_command(
-                 app, "references",
-                 "Renders the references into assets/reference/, and docs/contact_sheet.png (for those who "
-                 "change a step).",
-                 [&given] { make_references(given.project(), given.step.empty() ? "" : given.full_step()); }),
-             given);
+    CLI::App* const figures =
+        add_command(app, "figures",
+                    "Creates the pictures and plots of the chapters, and prints their settings.", [&given] {
+                        Words steps;
+                        for (const std::string& step : given.steps)
+                            steps.push_back(find_step(given.project(), step));
+                        make_figures(given.project(), steps);
+                    });
+    figures->add_option("STEPS", given.steps, "only those of these chapters");
+    add_step(
+        add_command(
+            app, "references",
+            "Renders the reference pictures into assets/reference/, and docs/contact_sheet.png. You need "
+            "this only if you change a step.",
+            [&given] { make_references(given.project(), given.step.empty() ? "" : given.full_step()); }),
+        given);
 }
 
 int run(int argc, char** argv) {
     Arguments given;
-    CLI::App app("Goes through the steps with you. ./learn --help lists the commands.", "./learn");
+    CLI::App app("Guides you through the steps. ./learn --help lists the commands.", "./learn");
     app.require_subcommand(1);
     app.set_version_flag("--version", version());
     app.add_option("--root", given.root, "the project's folder");
-    app.add_option("--workshop", given.workshop, "where your files are, if not in ROOT/workshop");
+    app.add_option("--workshop", given.workshop, "the folder of your files, by default ROOT/workshop");
     add_workshop_commands(app, given);
     add_run(app, given);
     add_trace(app, given);
@@ -278,7 +286,7 @@ int run(int argc, char** argv) {
         return app.exit(help);
     }
     if (!std::cout.flush())
-        return report_error("learn", "stdout takes no more text (is the disk full?); all else went well");
+        return report_error("learn", "cannot write to stdout (is the disk full?); everything else worked");
     return given.code;
 }
 

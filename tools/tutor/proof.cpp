@@ -1,4 +1,4 @@
-// Compiles, links and runs checks with changed headers, and keeps what came.
+// Compiles, links and runs checks with changed headers, and caches the results.
 #include "tools/tutor/proof.h"
 
 #include "common/util/error.h"
@@ -22,29 +22,29 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What takes least time in all, measured: the checks of the early steps are quick even if they are not
-/// optimised.
+/// Returns the optimisation level with the lowest total time, as measured. The checks of the early steps are
+/// fast even without optimisation.
 std::string optimisation(const std::string& step) {
     return step < "05" || step.starts_with("06") ? "-O0" : "-O1";
 }
 
 const std::string program_level = "-O1"; // of programs that render
 
-/// For a program of checks, or one that renders.
+/// Returns the limits for a program that runs checks or renders.
 ProcessOptions limited(const fs::path& log) {
     return {.log = log, .cpu_seconds = 30, .seconds = 300, .memory = std::uint64_t(4) << 30};
 }
 
-/// The text that an include finds: the change's, the reference's, or the project's.
+/// Returns the text that an include finds: from the change, the reference, or the project.
 std::string text_of(const Toolchain& tools, const Change& change, const std::string& name) {
     if (const auto found = change.headers.find(name); found != change.headers.end()) return found->second;
-    std::error_code ignored; // a name that is too long is none that exists
+    std::error_code ignored; // a name that is too long does not exist
     for (const fs::path& folder : {tools.root / "steps", tools.root})
         if (fs::exists(folder / name, ignored)) return read_file((folder / name).string());
     return "";
 }
 
-/// What a source of checks or of a program depends on.
+/// The files that a source file depends on, and a hash of their contents.
 struct Dependencies {
     std::set<std::string> names;
     Hash hash;
@@ -68,13 +68,14 @@ std::string step_of(const std::string& source) {
 
 Dependencies dependencies(const Toolchain& tools, const Change& change, const std::string& source) {
     Dependencies all;
-    all.hash.add(tools.fixed);
+    all.hash.add(tools.fingerprint);
     all.hash.add(optimisation(step_of(source)));
     add_file(tools, change, source, all);
     return all;
 }
 
-/// "tests/03_mirror/mirror.cpp" and the others of the step; those of the changed headers come first.
+/// Returns "tests/03_mirror/mirror.cpp" and the other checks of the step; those of the changed
+/// headers come first.
 Words check_sources(const Toolchain& tools, const Change& change) {
     Words sources;
     for (const std::string& file : check_files(tools.root, change.step))
@@ -83,14 +84,14 @@ Words check_sources(const Toolchain& tools, const Change& change) {
         const std::string file = fs::path(source).stem().string();
         return std::ranges::any_of(change.headers, [&](const auto& header) {
             const std::string own = fs::path(header.first).stem().string();
-            return file == own || file.starts_with(own + "_"); // as in bvh_in_scenes
+            return file == own || file.starts_with(own + "_"); // such as bvh_in_scenes
         });
     });
     return sources;
 }
 
-/// Runs the compiler with changed headers first on the include path. Returns its first error on one line, or
-/// "".
+/// Runs the compiler with the changed headers first on the include path. Returns its first error as one
+/// line, or "".
 std::string compile(const Toolchain& tools, const fs::path& overlay, const Words& arguments) {
     Words command{tools.compiler, "-w", "-I" + overlay.string(), "-I" + (tools.root / "steps").string()};
     append(command, tools.flags);
@@ -99,14 +100,14 @@ std::string compile(const Toolchain& tools, const fs::path& overlay, const Words
     if (run_process(command, {.log = log}).code == 0) return "";
     const auto error = first_error(read_file(log.string()), "");
     return error ? error->file + ":" + std::to_string(error->line) + ": " + error->message
-                 : "the compiler failed and did not say why";
+                 : "the compiler failed without an error message";
 }
 
 fs::path prefix_of(const Toolchain& tools, const std::string& header, const std::string& level) {
     return tools.work / fs::path(header).parent_path() / level / "pch.h";
 }
 
-/// Compiles a source into an object, with its precompiled header.
+/// Compiles a source file into an object file, using a precompiled header.
 std::string compile_object(const Toolchain& tools, const fs::path& overlay, const fs::path& source,
                            const fs::path& prefix, const fs::path& object) {
     return compile(tools, overlay,
@@ -143,7 +144,7 @@ Outcome outcome_from(const std::string& kept) {
     return outcome;
 }
 
-/// Runs one file of checks. The outcome is kept.
+/// Runs one file of checks, or returns the cached outcome.
 Outcome run_source(const Toolchain& tools, const Change& change, const std::string& source) {
     const fs::path kept = tools.work / "cache" / (dependencies(tools, change, source).hash.text() + ".lines");
     if (fs::exists(kept)) return outcome_from(read_file(kept.string()));
@@ -159,12 +160,12 @@ Outcome run_source(const Toolchain& tools, const Change& change, const std::stri
     return outcome_from(lines);
 }
 
-/// Compiles once what most files include.
+/// Precompiles the header that most files include.
 void precompile(const Toolchain& tools, const std::string& header, const std::string& level) {
     const fs::path prefix = prefix_of(tools, header, level), made = prefix.string() + ".gch",
                    stamp = prefix.parent_path() / "prefix.key";
     Dependencies all;
-    all.hash.add(tools.fixed);
+    all.hash.add(tools.fingerprint);
     add_file(tools, {}, header, all);
     if (fs::exists(made) && fs::exists(stamp) && read_file(stamp.string()) == all.hash.text()) return;
     fs::create_directories(prefix.parent_path());
@@ -185,10 +186,10 @@ Toolchain read_toolchain(const fs::path& root, const fs::path& build) {
                     .flags = {},
                     .test_main = {},
                     .libraries = {},
-                    .fixed = {}};
+                    .fingerprint = {}};
     const fs::path path = build / "prove" / "toolchain.txt";
     if (!fs::exists(path))
-        throw Error(path.string() + " is not there: configure the build first (./learn test 03)");
+        throw Error(path.string() + " does not exist; configure the build first (./learn test 03)");
     Hash hash;
     for (const std::string& line : lines_of(read_file(path.string()))) {
         const std::size_t space = line.find(' ');
@@ -203,9 +204,9 @@ Toolchain read_toolchain(const fs::path& root, const fs::path& build) {
     Words objects = tools.libraries;
     objects.push_back(tools.test_main);
     for (const std::string& object : objects)
-        if (!fs::exists(object)) throw Error(object + " is not built: ./learn prove builds it");
+        if (!fs::exists(object)) throw Error(object + " is not built; ./learn prove builds it");
     hash.add(read_file((root / "tests/main.cpp").string()));
-    tools.fixed = hash.text();
+    tools.fingerprint = hash.text();
     fs::create_directories(tools.work / "cache");
     return tools;
 }
@@ -222,7 +223,7 @@ std::string proof_key(const Toolchain& tools, const std::string& step) {
     return all.hash.text();
 }
 
-void prepare(const Toolchain& tools, const std::string& step) {
+void precompile_headers(const Toolchain& tools, const std::string& step) {
     const BuildLock alone(tools.work);
     precompile(tools, "tests/pch.h", optimisation(step));
     precompile(tools, "common/pch.h", program_level);

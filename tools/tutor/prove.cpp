@@ -1,5 +1,5 @@
-// The proof that the checks check: every stub fails them, and every mistake of the catalogue fails them in a
-// way that names it. ./learn prove runs it.
+// prove: shows that the checks work.
+// Every stub must fail, and every mistake must fail in a way that identifies it.
 #include "tools/compare/comparison.h"
 #include "common/util/report_error.h"
 #include "common/util/cores.h"
@@ -37,15 +37,15 @@ struct ProveOptions {
     bool changed = false;
 };
 
-/// One change to be tried, and what came of it.
+/// A change to try, and its outcome.
 struct Trial {
     Change change;
-    const Mistake* mistake = nullptr; ///< none for a stub
+    const Mistake* mistake = nullptr; ///< nullptr for a stub
     Outcome outcome;
     bool picture = false, differs = false;
 };
 
-/// What the table and the JSON say of a step.
+/// The numbers of a step for the table and the JSON.
 struct Count {
     std::string step;
     int stubs = 0, stubs_failing = 0, mistakes = 0, caught = 0, named_first = 0, named_in_group = 0,
@@ -60,7 +60,7 @@ struct Count {
     bool proved() const { return stubs_failing == stubs && caught == mistakes && named_in_group == mistakes; }
 };
 
-/// All of a step: its own checks first, then its stubs, then its mistakes.
+/// All trials of a step: the reference, then its stubs, then its mistakes.
 struct StepProof {
     std::string step;
     std::vector<Mistake> mistakes;
@@ -111,7 +111,7 @@ void try_out(const Toolchain& tools, Trial& trial, bool pictures) {
         trial.picture = render_picture(tools, trial.change, picture_path(tools, trial.change));
 }
 
-/// As everywhere, up to rounding.
+/// Returns whether two pictures differ by more than rounding.
 bool differ(const fs::path& right, const fs::path& wrong) {
     if (!fs::exists(right) || !fs::exists(wrong)) return true;
     return !compare::is_same(compare::compare_images({compare::read_encoded(wrong.string()),
@@ -119,18 +119,19 @@ bool differ(const fs::path& right, const fs::path& wrong) {
                                  .verdict);
 }
 
-/// Every third assertion of a signature is lost: those that another learner's mistake would not have failed.
-Signature thinned(const Signature& signature) {
+/// Returns the signature without every third assertion: another learner's version of the mistake
+/// may pass them.
+Signature without_every_third(const Signature& signature) {
     Signature thin{signature.id, {}};
     for (std::size_t i = 0; i < signature.assertions.size(); ++i)
         if (i % 3 != 1) thin.assertions.push_back(signature.assertions[i]);
     return thin;
 }
 
-/// The mistakes whose known signatures fit best, equally well.
+/// Returns the mistakes whose signatures fit best; several if they fit equally well.
 Words best_matches(const std::vector<Signature>& known, const Signature& seen) {
     Words ids;
-    const std::vector<SignatureMatch> matches = ranked(known, seen);
+    const std::vector<SignatureMatch> matches = rank_signatures(known, seen);
     for (const SignatureMatch& match : matches)
         if (match.score > matches[0].score - 1e-9) ids.push_back(match.id);
     return ids;
@@ -148,7 +149,7 @@ void judge_stub(const Trial& trial, Count& count, StepProof& proof) {
     if (!trial.outcome.compiled)
         proof.complaints.push_back(trial.change.id + " does not compile: " + trial.outcome.complaint);
     else if (trial.outcome.timed_out)
-        proof.complaints.push_back(trial.change.id + " does not end");
+        proof.complaints.push_back(trial.change.id + " does not finish");
     else if (!fails(trial.outcome))
         proof.complaints.push_back(trial.change.id + " passes all checks");
     else
@@ -161,9 +162,10 @@ void judge_picture(const Trial& trial, Count& count, StepProof& proof) {
     count.differing += trial.differs;
     const bool says_nothing = trial.mistake->shows.starts_with("nothing");
     if (says_nothing && trial.differs)
-        proof.complaints.push_back(trial.change.id + " changes the picture, but its Shows says not");
+        proof.complaints.push_back(trial.change.id +
+                                   " changes the picture, but its 'Shows' says it does not");
     if (!says_nothing && !trial.differs)
-        proof.complaints.push_back(trial.change.id + " changes no pixel, but its Shows says so");
+        proof.complaints.push_back(trial.change.id + " changes no pixel, but its 'Shows' says it does");
 }
 
 void judge_name(const Trial& trial, const std::vector<Signature>& known, Count& count, StepProof& proof) {
@@ -172,12 +174,12 @@ void judge_name(const Trial& trial, const std::vector<Signature>& known, Count& 
     const bool named = contains(best, seen.id);
     count.named_in_group += named;
     count.named_first += named && best.size() == 1;
-    count.still_first += best_matches(known, thinned(seen)) == Words{seen.id};
+    count.still_first += best_matches(known, without_every_third(seen)) == Words{seen.id};
     if (!named)
-        proof.complaints.push_back(seen.id + " is taken for " + joined(best, " ") +
-                                   " (./learn prove --write notes the signatures again)");
+        proof.complaints.push_back(seen.id + " is mistaken for " + joined(best, " ") +
+                                   " (./learn prove --write updates the signatures)");
     else if (best.size() > 1)
-        proof.complaints.push_back(seen.id + ": these cannot be told apart: " + joined(best, " "));
+        proof.complaints.push_back(seen.id + ": the checks cannot tell these apart: " + joined(best, " "));
 }
 
 void judge_mistake(const Trial& trial, const std::vector<Signature>& known, Count& count, StepProof& proof) {
@@ -193,7 +195,7 @@ void judge_mistake(const Trial& trial, const std::vector<Signature>& known, Coun
     }
 }
 
-/// The pictures that the catalogue shows: of each mistake that changes the picture, and the right one.
+/// Writes the pictures of the gallery: the correct one, and one for each mistake that changes the picture.
 void write_gallery(const Toolchain& tools, const StepProof& proof) {
     const fs::path right = gallery_picture(tools.root, proof.step, "right");
     fs::remove_all(right.parent_path());
@@ -267,8 +269,8 @@ void note_key(const Toolchain& tools, const std::string& step) {
     record[step] = proof_key(tools, step);
     write_record(
         record_path(tools),
-        "# Of each step, the key of what was proved when all of it held: its checks, what they include, and "
-        "its\n# mistakes. Written by ./learn prove --write, read by ./learn prove --changed.\n",
+        "# For each step whose proof succeeded, a hash of its checks, their includes and its mistakes.\n"
+        "# Written by ./learn prove --write, read by ./learn prove --changed.\n",
         record);
 }
 
@@ -279,7 +281,7 @@ std::vector<StepProof> plan_all(const Toolchain& tools, const ProveOptions& opti
     for (const std::string& step :
          options.step.empty() ? all_steps(project) : Words{find_step(project, options.step)}) {
         if (options.changed && noted[step] == proof_key(tools, step)) continue;
-        prepare(tools, step);
+        precompile_headers(tools, step);
         proofs.push_back(plan(tools.root, step));
     }
     return proofs;
@@ -309,7 +311,7 @@ bool prove(const ProveOptions& options) {
         for (const std::string& complaint : proof.complaints)
             std::cout << proof.step << ": " << complaint << "\n";
     }
-    std::cout << "step           stubs fail    caught  named alone  in group  a third lost  wrong picture\n";
+    std::cout << "step           stubs fail    caught  named alone  in group   1/3 dropped  wrong picture\n";
     for (const Count& count : counts) print_row(count);
     print_row(total);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
@@ -324,29 +326,29 @@ bool prove(const ProveOptions& options) {
 
 int main(int argc, char** argv) {
     rt::tutor::ProveOptions options;
-    CLI::App app("Proves that the checks check: every stub fails them, every mistake of the catalogue is "
-                 "caught and named.\n"
-                 "Exit code: 0 all of it holds, 1 something does not, 2 an error.",
-                 "prove");
+    CLI::App app(
+        "Proves that the checks work: every stub fails, and every mistake of the catalogue is caught "
+        "and named.\n"
+        "Exit code: 0 proved, 1 not proved, 2 an error.",
+        "prove");
     app.set_version_flag("--version", rt::version());
-    app.add_option("--json", options.json, "writes the counts to this file");
-    app.add_option("--step", options.step, "one step alone: 3, 03 or 03_mirror");
-    app.add_flag("--no-pictures", options.no_pictures, "does not render the wrong pictures");
+    app.add_option("--json", options.json, "write the counts to this file");
+    app.add_option("--step", options.step, "only this step: 3, 03 or 03_mirror");
+    app.add_flag("--no-pictures", options.no_pictures, "do not render pictures of the mistakes");
     app.add_flag("--write", options.write,
-                 "notes the signatures of the mistakes in exercises/*/signatures.txt, and their pictures");
+                 "write exercises/*/signatures.txt and the pictures of the mistakes");
     app.add_flag("--changed", options.changed,
-                 "leaves out the steps that have not changed since they were proved (exercises/proved.txt)");
-    app.add_flag("--fresh", options.fresh,
-                 "builds all of it anew, in place of what did not change since the last time");
-    app.add_option("--jobs", options.jobs, "how many at a time; 0 for as many as there are cores")
+                 "skip the steps that have not changed since they were proved (exercises/proved.txt)");
+    app.add_flag("--fresh", options.fresh, "discard cached results and build everything again");
+    app.add_option("--jobs", options.jobs, "number of parallel jobs; 0: one per core")
         ->check(CLI::Range(0, 1024));
     app.add_option("--root", options.root, "the project's folder")->required();
-    app.add_option("--build", options.build, "the build's folder")->required();
+    app.add_option("--build", options.build, "the build folder")->required();
     try {
         app.parse(argc, argv);
         return rt::tutor::prove(options) ? 0 : 1;
-    } catch (const CLI::ParseError& said) {
-        return app.exit(said) == 0 ? 0 : 2;
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : 2;
     } catch (const std::exception& problem) {
         return rt::report_error("prove", problem.what());
     }

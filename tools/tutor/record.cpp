@@ -1,4 +1,4 @@
-// Reads and writes records of keys, and leaves out of a source what no key depends on.
+// Reads and writes records of hashes, and strips comments from sources.
 #include "tools/tutor/record.h"
 
 #include "common/util/file_bytes.h"

@@ -1,5 +1,6 @@
-// Records of what was proved or run, kept in the repository: of each thing the key of all that it depends on. A record
-// changes only when a key does, and a key only when code, a command or an output does.
+// Records of what was proved or run: for each result, a hash of everything that it depends on.
+// They are kept in the repository. A record changes only if a hash does, and a hash changes only if code, a
+// command or an output does.
 #pragma once
 
 #include <filesystem>
@@ -8,16 +9,17 @@
 
 namespace rt::tutor {
 
-using Record = std::map<std::string, std::string>; ///< from "03_mirror" to its key
+using Record = std::map<std::string, std::string>; ///< maps "03_mirror" to its hash
 
-/// Reads a record; an empty one if the file is not there.
+/// Reads a record; empty if the file does not exist.
 Record read_record(const std::filesystem::path& path);
 
-/// Writes a record below a heading of comments (#). Leaves a file alone that says the same already.
+/// Writes a record after a heading of comments (#). Does not touch a file that already has this content.
 void write_record(const std::filesystem::path& path, const std::string& heading, const Record& record);
 
-/// Returns a source without its comments, its words one blank apart: what a compiler sees of it. The marks of exercises,
-/// //> and //<, stay, since stubs are cut by them; so does a comment with a quote behind it, which may be a text.
+/// Returns a source without comments, with words separated by one space: what the compiler sees. Exercise
+/// markers (//> and //<) are kept, because stubs depend on them; so is a comment that is followed by a quote,
+/// because it may be part of a string.
 std::string code_only(const std::string& source);
 
 } // namespace rt::tutor

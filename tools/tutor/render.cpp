@@ -1,5 +1,4 @@
-// ./learn run and ./learn references: renders steps, and compares their pictures with the references or keeps
-// them as such.
+// ./learn run, references and figures: renders steps and compares them, or renders references and figures.
 #include "common/util/report_error.h"
 #include "common/util/error.h"
 #include "common/util/file_bytes.h"
@@ -17,21 +16,22 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The flags of a reference. Most are the program's own defaults. A noisy step gets more samples and another
-/// seed, so that the reference is less noisy than the pictures it judges, and independent of them.
+/// Returns the flags of a reference; most use the program's defaults. A noisy step gets more samples
+/// and another seed, so that the reference is less noisy than the pictures compared with it, and
+/// independent of them.
 Words reference_flags(const std::string& step) {
     if (step.starts_with("07_")) return {"--samples", "256", "--seed", "2"};
     if (step.starts_with("08_")) return {"--samples", "1024", "--seed", "2"};
     return {};
 }
 
-/// The flags of the picture that is compared with the reference: the program's own defaults, unless that is
-/// too slow.
+/// Returns the flags of the picture that is compared with the reference: the defaults, unless they
+/// are too slow.
 Words test_flags(const std::string& step) {
     return step.starts_with("08_") ? Words{"--samples", "16"} : Words{};
 }
 
-/// The command that writes a step's pictures, and for noisy steps their variance.
+/// Returns the command that renders a step's picture, and for noisy steps also the variance.
 Words render_command(const Preset& preset, const std::string& step, const fs::path& folder) {
     const std::string out = (folder / step).string();
     Words command{preset.program(step).string(), "--out", out};
@@ -39,7 +39,7 @@ Words render_command(const Preset& preset, const std::string& step, const fs::pa
     return command;
 }
 
-/// One line of the table of ./learn run.
+/// A row of the table of ./learn run.
 struct Row {
     std::string step, verdict, remark, log;
 };
@@ -50,9 +50,10 @@ void compare(const Project& project, Row& row) {
     row.verdict = "no reference";
     if (!fs::exists(project.root / "assets/reference" / (row.step + ".hdr"), ignored)) return;
     try {
-        const compare::Comparison judgement = judge_render(project.root, row.step, project.root / "renders");
-        row.verdict = compare::is_same(judgement.verdict) ? "agrees" : "DIFFERS";
-        row.remark = joined(judgement.lines, "\n    ");
+        const compare::Comparison comparison =
+            compare_render(project.root, row.step, project.root / "renders");
+        row.verdict = compare::is_same(comparison.verdict) ? "matches" : "DIFFERS";
+        row.remark = joined(comparison.lines, "\n    ");
     } catch (const Error& error) {
         row.verdict = "ERROR";
         row.remark = error.what();
@@ -64,7 +65,7 @@ void print_head() {
               << cell("verdict", -14) << "picture\n";
 }
 
-/// Returns whether all is well.
+/// Prints a row. Returns false if the picture differs or an error occurred.
 bool print_row(const Project& project, const Row& row) {
     const Words time = words_in(line_after(row.log, "time "));
     const auto word = [&](std::size_t i) { return i < time.size() ? time[i] : "-"; };
@@ -76,7 +77,7 @@ bool print_row(const Project& project, const Row& row) {
     return well;
 }
 
-/// Ends this program too if a signal ended the other one.
+/// Runs a command and returns its exit code. Throws Stop if a signal ended it.
 int run_unless_stopped(const Words& command, const ProcessOptions& options) {
     const int code = run_process(command, options).code;
     if (code == 129 || code == 130 || code == 143) throw Stop{code};
@@ -88,7 +89,7 @@ void make_contact_sheet(const Preset& preset, const fs::path& sheet, const Words
     append(command, pictures);
     std::string output;
     if (run_process(command, {.output = &output}).code != 0)
-        throw CommandFailed("the contact sheet could not be made");
+        throw CommandFailed("the contact sheet could not be created");
 }
 
 int run_all(const Project& project, const Preset& preset) {
@@ -104,7 +105,7 @@ int run_all(const Project& project, const Preset& preset) {
             compare(project, row);
             pictures.push_back((project.root / "renders" / (step + ".png")).string());
         } else {
-            row.remark = "the program ended with exit code " + std::to_string(code);
+            row.remark = "the program failed with exit code " + std::to_string(code);
         }
         well = print_row(project, row) && well;
     }
@@ -116,8 +117,8 @@ int run_all(const Project& project, const Preset& preset) {
     return well ? 0 : 1;
 }
 
-/// What the flags for a step's program say: whether they may change the picture (all but --threads and
-/// --quiet may), name its file, or ask for help.
+/// What a step's flags do: `change`: they may change the picture (all but --threads and --quiet);
+/// `name_file`: they set the output file; `help`: they request help.
 struct FlagKinds {
     bool change = false, name_file = false, help = false;
 };
@@ -144,17 +145,17 @@ int run_one(const Project& project, const Preset& preset, const std::string& ste
     if (kinds.help) replace_process({program, "--help"});
     Words command = kinds.name_file ? Words{program} : render_command(preset, step, project.root / "renders");
     append(command, flags);
-    Row row{step, "own settings", "", ""};
+    Row row{step, "own settings", "", ""}; // with changed settings there is no reference to compare with
     const int code = run_unless_stopped(command, {.output = &row.log, .echo = true});
-    if (code == 2) return 2; // bad input; the program has said what is wrong
-    if (code != 0) throw CommandFailed(step + " ended with exit code " + std::to_string(code));
-    if (kinds.name_file) return 0; // the program has printed where it is
+    if (code == 2) return 2; // the program has printed the error
+    if (code != 0) throw CommandFailed(step + " failed with exit code " + std::to_string(code));
+    if (kinds.name_file) return 0; // the program has printed the path
     if (!kinds.change) compare(project, row);
     print_head();
     return print_row(project, row) ? 0 : 1;
 }
 
-/// How the reference of a step was made.
+/// Returns the text of assets/reference/NN_name.txt: how the reference was rendered.
 std::string facts(const Preset& preset, const std::string& step, const std::string& log) {
     const std::string cache = read_file((preset.folder() / "CMakeCache.txt").string());
     std::string compiler = line_after(cache, "CMAKE_CXX_COMPILER:");
@@ -214,7 +215,7 @@ void make_references(const Project& project, const std::string& step) {
     make_folder(project.root / "docs");
     make_contact_sheet(preset, project.root / "docs/contact_sheet.png", pictures);
     std::cout << "written into " << display_path(references)
-              << "; look at every one of them before you commit it\n";
+              << "; look at every one of them before you commit\n";
 }
 
 void make_figures(const Project& project, const Words& steps) {
@@ -226,7 +227,7 @@ void make_figures(const Project& project, const Words& steps) {
         const fs::path script = project.root / "tools/figures" / (step + ".sh");
         if ((!steps.empty() && !contains(steps, step)) || !fs::exists(script)) continue;
         if (run_process({"bash", script.string()}).code != 0)
-            throw CommandFailed("the figures of " + step + " could not be made");
+            throw CommandFailed("the figures of " + step + " could not be created");
     }
 }
 

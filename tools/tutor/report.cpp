@@ -1,4 +1,4 @@
-// The report: the findings as JSON, with pictures as data URLs, put into the page's frame.
+// Writes report.html: inserts the findings as JSON, with pictures as data URLs, into a template.
 #include "tools/tutor/report.h"
 
 #include "common/util/error.h"
@@ -10,14 +10,14 @@ namespace rt::tutor {
 
 namespace {
 
-/// Stands once in the frame, where the data goes.
+/// The placeholder for the data; it occurs once in the template.
 constexpr std::string_view place = "{{report}}";
 
 std::uint32_t byte_at(std::string_view bytes, std::size_t i) {
     return i < bytes.size() ? static_cast<std::uint8_t>(bytes[i]) : 0;
 }
 
-/// A PNG file, with its width and height as its head has them.
+/// A PNG file, with the width and height from its header.
 struct Picture {
     std::string bytes;
     std::uint32_t width = 0, height = 0;
@@ -25,7 +25,7 @@ struct Picture {
     explicit Picture(const std::string& path) : bytes(read_file(path)) {
         constexpr std::string_view opening("\x89PNG\r\n\x1A\n\0\0\0\rIHDR", 16); // then width and height
         if (bytes.size() < 24 || !bytes.starts_with(opening))
-            throw Error(path + ": is no PNG picture; render it again");
+            throw Error(path + ": is not a PNG file; render it again");
         for (std::size_t i = 0; i < 4; ++i) {
             width = width << 8 | byte_at(bytes, 16 + i);
             height = height << 8 | byte_at(bytes, 20 + i);
@@ -34,7 +34,8 @@ struct Picture {
     std::string url() const { return "data:image/png;base64," + base64(bytes); }
 };
 
-/// Puts the pictures in place of their paths. They are shown on top of each other, so they have one size.
+/// Replaces the paths of pictures by the pictures. They are shown on top of each other, so they must have
+/// the same size.
 void embed_pictures(Json& pictures) {
     std::string first;
     for (const char* const name : {"mine", "reference", "map"}) {
@@ -45,7 +46,8 @@ void embed_pictures(Json& pictures) {
         if (first.empty()) first = path;
         if (pictures.value("width", picture.width) != picture.width ||
             pictures.value("height", picture.height) != picture.height)
-            throw Error(path + ": has another size than " + first + "; a report shows pictures of one size");
+            throw Error(path + ": differs in size from " + first +
+                        "; a report needs pictures of the same size");
         pictures["width"] = picture.width;
         pictures["height"] = picture.height;
         pictures[name] = picture.url();
@@ -62,7 +64,7 @@ void embed_mistake(Json& mistake) {
 
 } // namespace
 
-std::string embedded(const Json& value) {
+std::string script_safe_json(const Json& value) {
     std::string out;
     for (const char c : rt::json::text(value)) {
         char escape[8];
@@ -90,10 +92,10 @@ std::string report_html(const std::filesystem::path& root, Json report) {
     const std::size_t at = page.find(place);
     if (at == std::string::npos || page.find(place, at + 1) != std::string::npos)
         throw Error(frame + ": " + std::string(place) +
-                    " must stand in it exactly once, where the data goes");
+                    " must occur in it exactly once, where the data goes");
     embed_pictures(report["pictures"]);
     embed_mistake(report["mistake"]);
-    return page.replace(at, place.size(), embedded(report));
+    return page.replace(at, place.size(), script_safe_json(report));
 }
 
 } // namespace rt::tutor

@@ -1,4 +1,4 @@
-// The report of a check as one web page that opens from disk: verdict, likely mistake, pictures, all checks.
+// The report of a check as a single web page: verdict, likely mistake, pictures, all checks.
 #pragma once
 
 #include "common/util/json.h"
@@ -9,18 +9,17 @@
 
 namespace rt::tutor {
 
-/// JSON that may stand in a <script> element: <, >, & and control characters are escaped, so that no text
-/// ends the element.
-std::string embedded(const Json& value);
+/// Returns JSON that is safe inside a <script> element: <, >, & and control characters are escaped, so that
+/// no text can end the element.
+std::string script_safe_json(const Json& value);
 
-/// Base64 with padding (RFC 4648, section 4).
+/// Encodes bytes as Base64 with padding (RFC 4648, section 4).
 std::string base64(std::string_view bytes);
 
-/// Returns the whole page for a report with the fields step, question, own_files, checks (name, state,
-/// seconds, lines), earlier, verdict, verdict_lines, flip_mean, flip_max, tiles_over_4, mistake (title,
-/// confidence, shows, why, fix, picture; or null), next, settings and pictures (mine, reference, map).
-/// Pictures are paths of PNG files; the page holds the files. Its frame is tools/tutor/report.html. Throws
-/// Error.
+/// Returns the page for a report with the fields step, question, own_files, checks (name, state, seconds,
+/// lines), earlier, verdict, verdict_lines, flip_mean, flip_max, tiles_over_4, mistake (title, confidence,
+/// shows, why, fix, picture; or null), next, settings and pictures (mine, reference, map). Pictures are paths
+/// of PNG files, which are embedded in the page. The template is tools/tutor/report.html. Throws Error.
 std::string report_html(const std::filesystem::path& root, Json report);
 
 } // namespace rt::tutor

@@ -1,4 +1,4 @@
-// ./learn status: the eight steps, what is done in each, and what is next.
+// ./learn status: lists the eight steps with their state, and what to do next.
 #include "tools/tutor/commands.h"
 
 #include "common/util/file_bytes.h"
@@ -12,13 +12,13 @@ namespace {
 
 struct StepStatus {
     std::string step;
-    int begun = 0;        ///< exercises of the learner's files that differ from their placeholder
-    int exercises = 0;    ///< in the learner's files
-    int in_step = 0;      ///< in all files of the step
-    std::string to_write; ///< the place of the first exercise that nobody has touched; empty if there is none
+    int begun = 0;        ///< exercises in the learner's files that are no longer as in the stub
+    int exercises = 0;    ///< all exercises in the learner's files
+    int in_step = 0;      ///< exercises in all files of the step
+    std::string to_write; ///< the place of the first unwritten exercise; empty if there is none
     bool has_files = false;
     bool checked = false;
-    bool changed = false; ///< since that check
+    bool changed = false; ///< the files have changed since the last check
     LastCheck check;
 
     bool done() const { return checked && !changed && all_well(check); }
@@ -38,7 +38,7 @@ void count_exercises(const Project& project, StepStatus& status) {
         if (!is_untouched(exercise, text, make_stub(reference, find_exercises(reference, path.string()))))
             ++status.begun;
         else if (status.to_write.empty())
-            status.to_write = exercise.name + " in " + display_path(path, place_of(exercise, text));
+            status.to_write = exercise.name + " in " + display_path(path, line_of(exercise, text));
     }
 }
 
@@ -59,27 +59,28 @@ std::vector<StepStatus> all_statuses(const Project& project) {
 }
 
 std::string verdict_words(const std::string& verdict) {
-    if (verdict == "same") return "the picture is the reference's";
-    if (verdict == "noise") return "the picture is the reference's up to noise";
-    if (verdict == "look") return "the picture needs a look";
-    if (verdict == "different") return "the picture is another";
+    if (verdict == "same") return "the picture matches the reference";
+    if (verdict == "noise") return "the picture matches the reference up to noise";
+    if (verdict == "look") return "the picture almost matches; look at the report";
+    if (verdict == "different") return "the picture is wrong";
     return "the picture was not compared";
 }
 
-std::string words(const StepStatus& s) {
-    if (!s.has_files) return "not begun";
-    std::string text = std::to_string(s.begun) + " of " + std::to_string(s.exercises) + " functions begun";
-    if (s.exercises == 0) text = "begun";
+std::string status_text(const StepStatus& s) {
+    if (!s.has_files) return "not started";
+    std::string text = std::to_string(s.begun) + " of " + std::to_string(s.exercises) + " functions started";
+    if (s.exercises == 0) text = "started";
     if (s.exercises < s.in_step)
-        text += ", " + std::to_string(s.in_step - s.exercises) + " more stand as in the reference";
+        text += ", " + std::to_string(s.in_step - s.exercises) + " more from the reference";
     if (!s.checked) return text + "; not checked yet";
     text += "; " + std::to_string(s.check.passed) + " of " + std::to_string(s.check.passed + s.check.failed) +
             " checks passed, " + verdict_words(s.check.verdict);
-    return text + (s.changed ? "; changed since" : "");
+    return text + (s.changed ? "; changed since then" : "");
 }
 
-/// The one thing to do next: first what was begun, then the step after the last one that is done.
-std::string advice(const std::vector<StepStatus>& all) {
+/// Returns what to do next: first finish a step that was started, then start the one after the last
+/// that is done.
+std::string next_action(const std::vector<StepStatus>& all) {
     const auto number = [](const StepStatus& s) { return number_of(s.step); };
     const auto begun = [](const StepStatus& s) { return s.has_files && !s.done(); };
     const auto open = std::ranges::find_if(all, begun);
@@ -93,7 +94,7 @@ std::string advice(const std::vector<StepStatus>& all) {
     if (from != all.end()) return "./learn start " + number(*from);
     const auto skipped = std::ranges::find_if_not(all, done);
     if (skipped != all.end()) return "./learn start " + number(*skipped);
-    return "nothing: all steps are yours. ./learn run renders them";
+    return "nothing, all steps are done; ./learn run renders them";
 }
 
 } // namespace
@@ -102,8 +103,8 @@ void show_status(const Project& project, std::ostream& out) {
     const std::vector<StepStatus> all = all_statuses(project);
     for (const StepStatus& status : all)
         out << (status.has_files && status.done() ? "done  " : "      ") << std::left << std::setw(16)
-            << status.step << words(status) << "\n";
-    out << "\nnext: " << advice(all) << "\n";
+            << status.step << status_text(status) << "\n";
+    out << "\nnext: " << next_action(all) << "\n";
 }
 
 } // namespace rt::tutor

@@ -1,5 +1,4 @@
-// What the tutor asks of the operating system: programs, a lock, the terminal. One .cpp file per system
-// implements it.
+// The interface to the operating system: processes, a lock, the terminal. Implemented once per system.
 #pragma once
 
 #include "tools/tutor/util.h"
@@ -12,65 +11,66 @@
 
 namespace rt::tutor {
 
-/// Where the output of a program goes, and what the program may use.
+/// Where the output of a program goes, and its limits.
 struct ProcessOptions {
-    std::filesystem::path log;        ///< a file for stdout and stderr; empty: they go where ours go
-    bool append = false;              ///< to the log
-    std::string* output = nullptr;    ///< receives stdout instead
-    bool echo = false;                ///< also prints what `output` receives, as it comes
-    int cpu_seconds = 0, seconds = 0; ///< limits; 0: none
-    std::uint64_t memory = 0;         ///< limit in bytes; 0: none
+    std::filesystem::path log;        ///< file for stdout and stderr; empty: those of this process
+    bool append = false;              ///< appends to the log
+    std::string* output = nullptr;    ///< if set, receives stdout instead
+    bool echo = false;                ///< also prints what `output` receives, immediately
+    int cpu_seconds = 0, seconds = 0; ///< limits; 0: no limit
+    std::uint64_t memory = 0;         ///< limit in bytes; 0: no limit
 };
 
 struct ProcessResult {
-    int code = 0;           ///< the exit code; 128 and more: a signal ended it
-    bool timed_out = false; ///< the limits ended it
+    int code = 0;           ///< the exit code; 128 + n: signal n ended it
+    bool timed_out = false; ///< a time limit ended it
     double cpu_seconds = 0;
-    std::string crash; ///< what kind of crash it was, for a learner; empty if it was none
+    std::string crash; ///< describes the crash to a learner; empty if there was none
 };
 
-/// Runs a program to its end: `command` is its path, or a name to look for in PATH, and its arguments. It
-/// reads no input. Throws Error if it cannot be started, Stop if this program was told to stop meanwhile.
+/// Runs a program and waits for its end. `command` is its path, or a name to find in PATH, followed by its
+/// arguments. Its stdin is empty. Throws Error if it cannot be started, Stop if this program received a
+/// stop signal meanwhile.
 ProcessResult run_process(const Words& command, const ProcessOptions& options = {});
 
-/// Runs a program in place of this one. Throws Error if it cannot be started.
+/// Replaces this process with another program. Throws Error if it cannot be started.
 [[noreturn]] void replace_process(const Words& command);
 
-/// Ends this program with an exit code after everything is cleaned up.
+/// Thrown to exit with a code after all cleanup.
 struct Stop {
     int code;
 };
 
-/// What was asked for did not work: one line, exit code 1.
+/// Thrown if a command fails: prints one line and exits with code 1.
 struct CommandFailed : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// From now on Ctrl-C, TERM and HUP make run_process throw Stop, and a failing write is an error of that
-/// write alone.
+/// Makes run_process throw Stop on Ctrl-C, TERM and HUP from now on, and makes failing writes return an error
+/// instead of ending the program.
 void handle_signals();
 
-/// Sets a variable for the programs that are started from now on.
+/// Sets an environment variable for programs that are started from now on.
 void set_environment(const std::string& name, const std::string& value);
 
 bool is_terminal(int stream); ///< 0: stdin, 1: stdout
 
-/// Only one process builds at a time: an exclusive lock on the folder that holds a build, which ./learn takes
-/// too. Held until this object or its process ends. Where the disk has no locks, there is none.
+/// Exclusive lock on the folder that contains a build, so that only one process builds at a time; ./learn
+/// takes it, too. Held until this object or its process ends. Has no effect on file systems without locks.
 class BuildLock {
   public:
-    /// Waits until the lock is free, and says so on stderr after a second. `build` is the folder of a build,
-    /// as in build/release: the folder above it is locked.
+    /// Waits until the lock is free, and says so on stderr after a second. `build` is a build folder such as
+    /// build/release; its parent folder is locked.
     explicit BuildLock(const std::filesystem::path& build);
     ~BuildLock();
     BuildLock(const BuildLock&) = delete;
     BuildLock& operator=(const BuildLock&) = delete;
 
   private:
-    std::intptr_t folder = -1; ///< an open file
+    std::intptr_t folder = -1; ///< a file descriptor or handle
 };
 
-/// A terminal that hands over each key at once, for as long as this lives.
+/// Puts the terminal into a mode in which each key can be read immediately, for the lifetime of this object.
 class Keys {
   public:
     Keys();
@@ -78,7 +78,7 @@ class Keys {
     Keys(const Keys&) = delete;
     Keys& operator=(const Keys&) = delete;
 
-    /// Returns the next key within this many milliseconds; 'q' if the input has ended.
+    /// Returns the next key, or nothing after this many milliseconds; 'q' if the input has ended.
     std::optional<char> next(int milliseconds) const;
 
   private:

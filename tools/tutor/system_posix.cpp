@@ -1,4 +1,4 @@
-// Processes, locks and terminals of POSIX systems.
+// Implements processes, locks and terminals for POSIX systems.
 #include "tools/tutor/system.h"
 
 #include "common/util/report_error.h"
@@ -39,28 +39,29 @@ std::vector<char*> pointers_to(Words& words) {
     return pointers;
 }
 
-void limit(int resource, rlim_t value) {
+void set_limit(int resource, rlim_t value) {
     const rlimit both{value, value};
     setrlimit(decltype(RLIMIT_CPU)(resource), &both);
 }
 
-/// The child after fork(): only system calls are allowed here. `out` replaces stdout unless it is negative.
+/// Runs in the child after fork(), where only async-signal-safe calls are allowed. `out` replaces stdout
+/// unless it is negative.
 [[noreturn]] void start(char* const* arguments, const char* log, int out, const ProcessOptions& options) {
     const int nothing = open("/dev/null", O_RDONLY);
     const int file = *log ? open(log, O_WRONLY | O_CREAT | (options.append ? O_APPEND : O_TRUNC), 0644) : -1;
     const bool ready = dup2(nothing, 0) == 0 && (!*log || (dup2(file, 1) == 1 && dup2(file, 2) == 2)) &&
                        (out < 0 || dup2(out, 1) == 1);
     if (!ready) _exit(could_not_start);
-    limit(RLIMIT_CORE, 0);
-    if (options.cpu_seconds > 0) limit(RLIMIT_CPU, rlim_t(options.cpu_seconds));
-    if (options.memory > 0) limit(RLIMIT_AS, rlim_t(options.memory));
+    set_limit(RLIMIT_CORE, 0);
+    if (options.cpu_seconds > 0) set_limit(RLIMIT_CPU, rlim_t(options.cpu_seconds));
+    if (options.memory > 0) set_limit(RLIMIT_AS, rlim_t(options.memory));
     alarm(unsigned(options.seconds));
     for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_DFL);
     execvp(arguments[0], arguments);
     _exit(could_not_start);
 }
 
-/// A terminal sends Ctrl-C to the child itself.
+/// Passes a stop signal on to the child, except for Ctrl-C, which the terminal sends to both.
 void pass_on_stop(pid_t child) {
     if (stop_signal == SIGTERM || stop_signal == SIGHUP) kill(child, stop_signal);
 }
@@ -79,12 +80,12 @@ void read_output(int pipe, pid_t child, const ProcessOptions& options) {
 
 std::string crash_text(int signal) {
     switch (signal) {
-    case SIGSEGV: return "crashed: memory that is not its own (an index out of range, or endless recursion)";
-    case SIGABRT: return "aborted: a rule that the program checks itself was broken";
-    case SIGFPE: return "crashed: division of an integer by zero";
+    case SIGSEGV: return "crashed: invalid memory access (an index out of range, or endless recursion?)";
+    case SIGABRT: return "aborted: an assertion in the program failed";
+    case SIGFPE: return "crashed: integer division by zero";
     case SIGTRAP:
-    case SIGILL: return "crashed: it reached code that must not be reached (a function without return?)";
-    case SIGBUS: return "crashed: memory that does not exist";
+    case SIGILL: return "crashed: invalid instruction (a function without a return statement?)";
+    case SIGBUS: return "crashed: invalid memory access";
     default: return "";
     }
 }
@@ -100,7 +101,7 @@ ProcessResult run_process(const Words& command, const ProcessOptions& options) {
     for (const int end : ends) fcntl(end, F_SETFD, FD_CLOEXEC);
     std::cout.flush();
     const pid_t child = fork();
-    if (child < 0) throw Error("cannot start " + command[0] + ": the system has no room for another process");
+    if (child < 0) throw Error("cannot start " + command[0] + ": the system cannot create another process");
     if (child == 0) start(arguments.data(), log.c_str(), ends[1], options);
     close(ends[1]);
     if (options.output) read_output(ends[0], child, options);
@@ -133,10 +134,10 @@ void handle_signals() {
     for (const int signal : {SIGXFSZ, SIGPIPE}) std::signal(signal, SIG_IGN);
     struct sigaction action {
     }, before{};
-    action.sa_handler = note_stop; // without SA_RESTART: a signal ends what waits
+    action.sa_handler = note_stop; // without SA_RESTART, so that a signal interrupts waiting
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
         sigaction(signal, nullptr, &before);
-        if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr); // nohup ignores HUP
+        if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr); // nohup sets HUP to ignored
     }
 }
 
@@ -155,7 +156,8 @@ BuildLock::BuildLock(const fs::path& build) {
     for (int tries = 0; flock(int(folder), LOCK_EX | LOCK_NB) != 0; ++tries) {
         if (stop_signal != 0) throw Stop{128 + stop_signal};
         if (errno != EWOULDBLOCK && errno != EINTR) return;
-        if (tries == 20) print_error_line("another ./learn is building in this folder; waiting for it ...");
+        if (tries == 20)
+            print_error_line("another ./learn is building in this folder; waiting until it is done ...");
         std::this_thread::sleep_for(std::chrono::milliseconds(50));
     }
 }
@@ -166,21 +168,21 @@ BuildLock::~BuildLock() {
 
 namespace {
 
-/// The state of the terminal before and while Keys lives: all that a signal handler needs.
+/// The terminal's settings before and during the lifetime of Keys. Globals, because signal handlers use them.
 termios terminal_before, terminal_now;
 
 void restore_terminal() {
     tcsetattr(0, TCSANOW, &terminal_before);
 }
 
-/// A signal that ends the program restores the terminal first.
-extern "C" void end_by(int signal) {
+/// Restores the terminal, then lets the signal end the program.
+extern "C" void end_with_signal(int signal) {
     restore_terminal();
     std::signal(signal, SIG_DFL);
     std::raise(signal);
 }
 
-/// Ctrl-Z gives the terminal back to the shell; `fg` takes it again, `bg` does not.
+/// Restore the terminal on Ctrl-Z, and set it again after `fg`; after `bg` the shell keeps it.
 extern "C" void suspend(int) {
     restore_terminal();
     std::raise(SIGSTOP);
@@ -191,8 +193,8 @@ extern "C" void resume(int) {
     errno = error;
 }
 
-/// Leaves a signal alone that whoever started this program ignores, as nohup does.
-void handle(int signal, void (*handler)(int)) {
+/// Installs a handler, unless the parent process has set the signal to ignored, as nohup does.
+void install_handler(int signal, void (*handler)(int)) {
     if (std::signal(signal, handler) == SIG_IGN) std::signal(signal, SIG_IGN);
 }
 
@@ -202,9 +204,9 @@ Keys::Keys() {
     if (isatty(0) != 1 || tcgetattr(0, &terminal_before) != 0) return;
     terminal_now = terminal_before;
     terminal_now.c_lflag &= ~tcflag_t(ICANON | ECHO);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) handle(signal, end_by);
-    handle(SIGTSTP, suspend);
-    handle(SIGCONT, resume);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) install_handler(signal, end_with_signal);
+    install_handler(SIGTSTP, suspend);
+    install_handler(SIGCONT, resume);
     changed = tcsetattr(0, TCSANOW, &terminal_now) == 0;
 }
 

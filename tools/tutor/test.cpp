@@ -1,5 +1,4 @@
-// ./learn test and ./learn trace: hands over to ctest, and to a step's program that prints the rays of one
-// pixel.
+// ./learn test and ./learn trace: runs ctest, and prints the rays of one pixel.
 #include "common/util/report_error.h"
 #include "common/util/cores.h"
 #include "common/util/error.h"
@@ -18,12 +17,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Groups of checks, and whether each has a target of its own that builds no more than it needs.
+/// Groups of checks, and whether the group has its own build target checks_NAME.
 const std::vector<std::pair<std::string, bool>> groups{
     {"common", true}, {"compare", true}, {"guards", true},      {"bench", true},   {"tutor", true},
     {"docs", true},   {"fuzz", true},    {"statistics", false}, {"faults", false}, {"reference", false}};
 
-/// Why checks were skipped.
+/// Prints why checks were skipped.
 void print_skipped(const fs::path& log) {
     std::error_code ignored;
     std::set<std::string> reasons;
@@ -50,7 +49,7 @@ int run_tests(const Project& project, const std::string& word, const std::string
     std::string listed;
     run_process(list, {.output = &listed});
     if (std::atoi(line_after(listed, "Total Tests: ").c_str()) == 0)
-        throw Error("there are no checks called '" + word + "' yet");
+        throw Error("there are no checks with the name '" + word + "'");
     append(ctest, {"-j", std::to_string(usable_cores()), "--no-label-summary", "--output-on-failure"});
     if (is_terminal(1)) ctest.push_back("--progress");
     if (!junit.empty()) append(ctest, {"--output-junit", fs::absolute(junit).string()});
@@ -75,14 +74,14 @@ void trace_pixel(const Project& project, const std::string& step, const Pixel& p
     set_environment("RAYSTEPS_TRACE_SAMPLE", std::to_string(sample));
     std::string output;
     if (run_process(command, {.output = &output}).code != 0)
-        throw Stop{2}; // the program has said what is wrong
+        throw Stop{2}; // the program has printed the error
     bool found = false;
     for (const std::string& line : lines_of(output))
         if (!line.starts_with("wrote")) {
             std::cout << line << "\n";
             found = true;
         }
-    if (!found) throw Error("that pixel has no sample " + std::to_string(sample));
+    if (!found) throw Error("this pixel has no sample " + std::to_string(sample));
 }
 
 } // namespace rt::tutor

@@ -1,4 +1,4 @@
-// Small helpers: words and tables, a hash, temporary folders, work on several threads.
+// Helpers: strings and tables, a hash, temporary folders, parallel loops.
 #pragma once
 
 #include "common/util/error.h"
@@ -21,7 +21,7 @@ namespace rt::tutor {
 
 using Words = std::vector<std::string>;
 
-/// A text's lines without their ends.
+/// Returns the lines of a text without their line ends.
 inline Words lines_of(const std::string& text) {
     Words lines;
     std::istringstream stream(text);
@@ -36,7 +36,7 @@ inline Words words_in(const std::string& text) {
     return words;
 }
 
-/// The fields of a line, between the separators.
+/// Splits a line at the separators.
 inline Words fields_of(std::string_view line, char separator = '\t') {
     Words fields(1);
     for (const char c : line)
@@ -47,14 +47,14 @@ inline Words fields_of(std::string_view line, char separator = '\t') {
     return fields;
 }
 
-/// What stands after `begin` in the first line that begins with it; empty if there is none.
+/// Returns the rest of the first line that begins with `begin`, or an empty string.
 inline std::string line_after(const std::string& text, const std::string& begin) {
     for (const std::string& line : lines_of(text))
         if (line.starts_with(begin)) return line.substr(begin.size());
     return "";
 }
 
-/// Without blanks at either end.
+/// Returns the text without leading and trailing whitespace.
 inline std::string trimmed(const std::string& text) {
     const std::size_t first = text.find_first_not_of(" \t\r\n");
     return first == text.npos ? "" : text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
@@ -75,25 +75,26 @@ bool contains(const std::vector<Element>& elements, const Value& value) {
     return std::ranges::find(elements, value) != elements.end();
 }
 
-/// A cell of a table: `width` characters wide, aligned right, or left if `width` is negative.
+/// Pads the text to `width` characters, aligned right, or left if `width` is negative.
 inline std::string cell(const std::string& text, int width) {
     const std::size_t size = std::size_t(std::abs(width));
     const std::string blanks(size - std::min(size, text.size()), ' ');
     return width < 0 ? text + blanks : blanks + text;
 }
 
-/// "3 of 7".
+/// Returns a text such as "3 of 7".
 inline std::string part_of(std::size_t part, std::size_t whole, const std::string& between = " of ") {
     return std::to_string(part) + between + std::to_string(whole);
 }
 
+/// 64-bit FNV-1a hash of a sequence of strings.
 class Hash {
   public:
     void add(std::string_view bytes) {
         for (const char c : bytes) state = (state ^ std::uint8_t(c)) * 0x100000001b3u;
-        state = (state ^ 0x100) * 0x100000001b3u; // an end, so that "a" "bc" is not "ab" "c"
+        state = (state ^ 0x100) * 0x100000001b3u; // a separator, so that "a" "bc" differs from "ab" "c"
     }
-    /// 16 hexadecimal digits.
+    /// Returns the hash as 16 hexadecimal digits.
     std::string text() const {
         char digits[17];
         std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(state));
@@ -104,16 +105,16 @@ class Hash {
     std::uint64_t state = 0xcbf29ce484222325u;
 };
 
-/// A new, empty folder that is removed in the end with everything in it. Its name cannot be guessed, and
-/// nothing stood there before: no link that another user has made.
+/// A new, empty folder that is removed at the end with all its contents. Its name is random and it is created
+/// exclusively, so that another user cannot have prepared a link there.
 class TemporaryFolder {
   public:
-    /// Throws Error if none can be made in `folder`.
+    /// Creates the folder in `folder`. Throws Error if that fails.
     explicit TemporaryFolder(const std::filesystem::path& folder = std::filesystem::temp_directory_path())
         : path(folder / ("raysteps." + random_digits())) {
         std::error_code failure;
         if (!std::filesystem::create_directory(path, failure))
-            throw Error(folder.string() + ": no temporary folder can be made here; is it writable?");
+            throw Error(folder.string() + ": cannot create a temporary folder here; is it writable?");
     }
     ~TemporaryFolder() {
         std::error_code ignored;
@@ -125,8 +126,7 @@ class TemporaryFolder {
     std::filesystem::path path;
 };
 
-/// Calls work(i) for all i below `count`, on `jobs` threads. Throws again the first exception that `work`
-/// throws.
+/// Calls work(i) for all i < `count` on `jobs` threads. Rethrows the first exception from `work`.
 template <typename Work>
 void in_parallel(std::size_t count, int jobs, const Work& work) {
     std::atomic<std::size_t> next = 0;

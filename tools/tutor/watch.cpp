@@ -1,4 +1,5 @@
-// Looks at the learner's files five times a second: that costs nothing, and works on every kind of disk.
+// ./learn watch: checks a step again at each save.
+// Polls the learner's files five times per second, which is cheap and works on every file system.
 #include "tools/tutor/commands.h"
 
 #include "common/util/report_error.h"
@@ -17,15 +18,15 @@ int check_once(const Project& project, const CheckOptions& options, std::ostream
     int code = 1;
     try {
         code = check_step(project, options, out);
-    } catch (const std::exception& problem) { // while someone saves, a file may be missing for a moment
+    } catch (const std::exception& problem) { // a file may be missing for a moment while an editor saves it
         out << printable(problem.what()) << "\n";
     }
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-    out << "\n" << int(took.count() * 10) / 10.0 << " s; waiting for the next save (q ends)\n" << std::flush;
+    out << "\n" << int(took.count() * 10) / 10.0 << " s; waiting for the next save (q quits)\n" << std::flush;
     return code;
 }
 
-/// Of the learner's files; nothing while one of them is being replaced.
+/// Returns the fingerprint of the learner's files; nothing if a file is just being replaced.
 std::optional<std::string> fingerprint_now(const Project& project, const std::string& step) {
     try {
         return fingerprint(project, step);

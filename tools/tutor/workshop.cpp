@@ -1,5 +1,4 @@
-// Finds the files of a step, and remembers in two small text files what was checked and which hints were
-// shown.
+// Finds the files of a step, and stores the results of checks and the hints shown in two text files.
 #include "common/util/report_error.h"
 #include "common/util/error.h"
 #include "common/util/file_bytes.h"
@@ -18,14 +17,14 @@ namespace {
 
 constexpr const char* same_line = ", ";
 
-/// A word of the command line, as it may stand in a message.
+/// Returns a word of the command line, quoted for a message.
 std::string quoted(const std::string& word) {
     std::string text = "'";
     for (const char c : word) text += (unsigned(c) & 0xff) < 0x20 ? ' ' : c;
     return text + "'";
 }
 
-/// A number from 0, or -1 for what is none.
+/// Parses a number >= 0; returns -1 if the field is not a number.
 int count_in(const std::string& field) {
     int count = -1;
     const char* const end = field.data() + field.size();
@@ -33,7 +32,8 @@ int count_in(const std::string& field) {
     return failure == std::errc() && read == end && count >= 0 ? count : -1;
 }
 
-/// The lines of one of the tutor's own files in the workshop, as fields; none if it is not there.
+/// Returns the lines of one of the tutor's files in the workshop, split into fields; empty if there is
+/// no such file.
 std::vector<Words> read_table(const fs::path& path) {
     std::vector<Words> table;
     std::error_code ignored;
@@ -60,7 +60,7 @@ Words all_steps(const Project& project) {
         if (fs::is_regular_file(entry / "main.cpp", ignored)) steps.push_back(entry.filename().string());
     if (steps.empty())
         throw Error("there are no steps in " + display_path(steps_folder(project)) +
-                    ": --root names the project's folder");
+                    "; set --root to the project's folder");
     return steps;
 }
 
@@ -89,7 +89,7 @@ Exercise find_exercise(const Project& project, const std::string& step, const st
     if (found != exercises.end()) return *found;
     Words names;
     for (const Exercise& exercise : exercises) names.push_back(exercise.name);
-    throw Error(step + " has no exercise " + quoted(name) + "; it has " + joined(names, same_line));
+    throw Error(step + " has no function " + quoted(name) + " to write; it has " + joined(names, same_line));
 }
 
 Words files_to_write(const std::vector<Exercise>& exercises) {
@@ -114,12 +114,12 @@ std::string find_own_file(const Project& project, const std::string& step, const
     const Words files = own_files(project, step);
     const std::string folder = display_path(project.workshop / step);
     if (files.empty())
-        throw Error("you have no files of " + step + ": ./learn start " + number_of(step) + " makes them");
+        throw Error("you have no files of " + step + "; ./learn start " + number_of(step) + " creates them");
     for (const std::string& file : files)
         if (word == file || word == step + "/" + file || word == "workshop/" + step + "/" + file ||
             word == folder + "/" + file)
             return file;
-    throw Error("there is no file " + quoted(word) + " in " + folder + "; there is " +
+    throw Error("there is no file " + quoted(word) + " in " + folder + "; the files are " +
                 joined(files, same_line));
 }
 
@@ -138,7 +138,7 @@ void make_folder(const fs::path& folder) {
     std::error_code failure;
     fs::create_directories(folder, failure);
     if (failure || !fs::is_directory(folder, failure))
-        throw Error("cannot make the folder " + display_path(folder) + " (" + failure.message() + ")");
+        throw Error("cannot create the folder " + display_path(folder) + " (" + failure.message() + ")");
 }
 
 std::map<std::string, LastCheck> read_checks(const Project& project) {

@@ -1,5 +1,4 @@
-// The learner's folder beside the reference: which step is meant, which files there are, and what is
-// remembered.
+// The workshop, the learner's folder: finds its steps and files, and stores progress.
 #pragma once
 
 #include "tools/tutor/exercises.h"
@@ -11,87 +10,89 @@
 
 namespace rt::tutor {
 
-/// Where all stands.
+/// The folders of the project.
 struct Project {
-    std::filesystem::path root;     ///< of the project: steps/, exercises/ and docs/ are in it
+    std::filesystem::path root;     ///< the project's folder, which contains steps/, exercises/ and docs/
     std::filesystem::path workshop; ///< the learner's files, NN_name/file.h
 };
 
 std::filesystem::path steps_folder(const Project& project);
 
-/// "01_spheres", "02_shadows", ... Throws Error if the root has no steps.
+/// Returns "01_spheres", "02_shadows", ... Throws Error if the root has no steps.
 Words all_steps(const Project& project);
 
-/// The full name of what 3, 03 or 03_mirror means. Throws Error with one line that names the steps.
+/// Returns the full name of the step that 3, 03 or 03_mirror means. Throws Error, which lists the steps.
 std::string find_step(const Project& project, const std::string& word);
 
-/// "03" of "03_mirror".
+/// Returns "03" for "03_mirror".
 std::string number_of(const std::string& step);
 
-/// The question that a step's main.cpp asks in its first line: "what does the mirror see?"
+/// Returns the question in the first line of a step's main.cpp: "what does the mirror see?"
 std::string question_of(const Project& project, const std::string& step);
 
 std::vector<Exercise> exercises_of(const Project& project, const std::string& step);
 
-/// The exercise of that name. Throws Error with one line that names those of the step.
+/// Returns the exercise of that name. Throws Error, which lists those of the step.
 Exercise find_exercise(const Project& project, const std::string& step, const std::string& name);
 
-/// The files that hold exercises of the step, in the order of the exercises, each once.
+/// Returns the files that contain the exercises, in their order, without duplicates.
 Words files_to_write(const std::vector<Exercise>& exercises);
 
-/// The learner's headers in workshop/NN_name/, sorted, without what editors leave there; none if there is no
-/// such folder.
+/// Returns the learner's headers in workshop/NN_name/, sorted, without editors' temporary files; empty if
+/// there is no such folder.
 Words own_files(const Project& project, const std::string& step);
 
-/// Which of the learner's files `word` means: "mirror.h", with or without folders before it. Throws Error.
+/// Returns the learner's file that `word` means: "mirror.h", with or without leading folders. Throws Error.
 std::string find_own_file(const Project& project, const std::string& step, const std::string& word);
 
-/// A path as one types it here: without the current folder.
+/// Returns a path relative to the current folder if it is inside it.
 std::string display_path(const std::filesystem::path& path);
 
-/// "workshop/03_mirror/mirror.h:33", which terminals and editors open.
+/// Returns a text such as "workshop/03_mirror/mirror.h:33", which terminals and editors can open.
 std::string display_path(const std::filesystem::path& path, int line);
 
-/// As fs::create_directories. Throws Error.
+/// Creates a folder and its parents. Throws Error.
 void make_folder(const std::filesystem::path& folder);
 
-/// What ./learn check found when it last ran; workshop/.state keeps one line a step:
+/// The result of the last ./learn check. workshop/.state has one line per step:
 /// NN_name<TAB>passed<TAB>failed<TAB>verdict<TAB>fingerprint.
 struct LastCheck {
     int passed = 0;
     int failed = 0;
-    std::string verdict;     ///< on the picture: same, noise, look, different; or a word of why there is none
-    std::string fingerprint; ///< of the learner's files at that time
+    std::string verdict;     ///< of the picture: same, noise, look, different; or why there is none
+    std::string fingerprint; ///< of the learner's files at the time of the check
 };
 
-/// By step. Lines that cannot be understood are left out: the next check writes them anew.
+/// Returns the last check of each step. Ignores malformed lines, which the next check overwrites.
 std::map<std::string, LastCheck> read_checks(const Project& project);
 
 void write_check(const Project& project, const std::string& step, const LastCheck& check);
 
-/// Whether a check found nothing wrong.
+/// Returns whether a check found nothing wrong.
 bool all_well(const LastCheck& check);
 
-/// 16 hexadecimal digits that differ if any of the learner's files of this step or an earlier one does.
+/// Returns 16 hexadecimal digits that change if any of the learner's files of this step or an
+/// earlier one does.
 std::string fingerprint(const Project& project, const std::string& step);
 
-/// How many tiers of an exercise's hints have been shown: by "NN_name<TAB>exercise", from workshop/.hints.
+/// How many hints of each exercise have been shown; the key is "NN_name<TAB>exercise".
+/// Stored in workshop/.hints.
 using ShownHints = std::map<std::string, int>;
 ShownHints read_shown_hints(const Project& project);
 void write_shown_hints(const Project& project, const ShownHints& hints);
 
-/// As in "05_mesh_bvh_box": tests/05_mesh_bvh/box.cpp holds the checks, test_05_mesh_bvh_box runs them. First
-/// come those of headers with exercises, in an order in which these can be written; slow statistics come
-/// last.
+/// Returns the names of the files of checks of a step: "05_mesh_bvh_box" for tests/05_mesh_bvh/box.cpp, whose
+/// program is test_05_mesh_bvh_box. Headers with exercises come first, in an order in which they can be
+/// written; slow statistics come last.
 Words check_files(const std::filesystem::path& root, const std::string& step);
 
-/// "tests/05_mesh_bvh/box.cpp" for "05_mesh_bvh_box".
+/// Returns "tests/05_mesh_bvh/box.cpp" for "05_mesh_bvh_box".
 std::string check_source(const std::string& step, const std::string& file);
 
-/// Statistics take longer than anybody likes to wait for.
+/// Returns whether a file of checks is slow: those of statistics are.
 bool is_slow(const std::string& file);
 
-/// The one that has the checks of a header: "05_mesh_bvh_box" for box.h. Not every header has one.
+/// Returns the name of the file of checks of a header: "05_mesh_bvh_box" for box.h. Not every header has one.
 std::string check_file_of(const std::string& step, const std::string& header);
 
 } // namespace rt::tutor

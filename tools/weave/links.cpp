@@ -1,4 +1,4 @@
-// Looks whether what a page refers to is there.
+// Finds dead links: what a page refers to and does not exist.
 #include "tools/weave/weave.h"
 
 #include "common/util/file_bytes.h"
@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Calls each(line, its number) for those outside of code.
+/// Calls each(line, line number) for each line outside of code blocks.
 template <typename Each>
 void outside_of_code(const std::string& page, const Each& each) {
     bool inside = false;
@@ -30,7 +30,7 @@ void outside_of_code(const std::string& page, const Each& each) {
     }
 }
 
-/// As code-hosting sites name a heading: small letters, blanks become hyphens, other signs go.
+/// Returns the anchor that code-hosting sites give a heading: lower case, hyphens for spaces, no other signs.
 std::string anchor_of(const std::string& heading) {
     std::string anchor;
     for (const char c : heading) {
@@ -56,14 +56,14 @@ bool is_there(const fs::path& page_path, const std::string& page, const std::str
     const std::size_t hash = target.find('#');
     const std::string file = target.substr(0, hash);
     const fs::path path = page_path.parent_path() / file;
-    std::error_code ignored; // a name that is too long is none that is there
+    std::error_code ignored; // a name that is too long does not exist
     if (!file.empty() && !fs::exists(path, ignored)) return false;
     if (hash == std::string::npos) return true;
     if (!file.empty() && !fs::is_regular_file(path, ignored)) return false;
     return anchors_of(file.empty() ? page : read_file(path.string())).contains(target.substr(hash + 1));
 }
 
-/// What stands in the line between `open` and the next `close`, each time.
+/// Returns all parts of the line between `open` and the next `close`.
 std::vector<std::string> between(const std::string& line, const std::string& open, char close) {
     std::vector<std::string> all;
     for (std::size_t at = 0; (at = line.find(open, at)) != std::string::npos;) {
@@ -75,7 +75,7 @@ std::vector<std::string> between(const std::string& line, const std::string& ope
     return all;
 }
 
-/// What stands in backquotes.
+/// Returns all parts of the line in backquotes.
 std::vector<std::string> code_in(const std::string& line) {
     std::vector<std::string> all;
     for (std::size_t at = 0; (at = line.find('`', at)) != std::string::npos;) {
@@ -87,7 +87,8 @@ std::vector<std::string> code_in(const std::string& line) {
     return all;
 }
 
-/// steps/03_mirror/mirror.h, and not steps/NN_name/*.h or a command.
+/// Returns whether the text is a path such as steps/03_mirror/mirror.h; not a pattern (steps/NN_name/*.h)
+/// or a command.
 bool is_project_path(const std::string& code) {
     constexpr std::array rooms{"steps/", "accel/",     "common/", "tests/", "tools/",
                                "docs/",  "exercises/", "assets/", "cmake/"};
@@ -107,11 +108,11 @@ std::vector<std::string> dead_links(const fs::path& root, const std::string& pag
         const std::string where = path + ":" + std::to_string(number) + ": ";
         for (const std::string& target : between(line, "](", ')'))
             if (!target.starts_with("http") && !is_there(root / path, page, target))
-                dead.push_back(where + target + " is not there");
+                dead.push_back(where + target + " does not exist");
         std::error_code ignored;
         for (const std::string& code : code_in(line))
             if (is_project_path(code) && !fs::exists(root / code, ignored))
-                dead.push_back(where + "`" + code + "` is not there");
+                dead.push_back(where + "`" + code + "` does not exist");
     });
     return dead;
 }

@@ -1,5 +1,5 @@
-// weave: fills the chapters with the code that is there, and says where they are stale. Exit code: 0 all is true, 1 something
-// is not, 2 a page that cannot be read, written or understood.
+// weave: updates the code and the outputs in the chapters, and reports what is out of date.
+// Exit code: 0 everything is up to date, 1 something is not, 2 a page cannot be read, written or parsed.
 #include "tools/weave/weave.h"
 
 #include "common/util/report_error.h"
@@ -21,34 +21,35 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Wishes {
+struct Options {
     std::string root = ".";
     std::vector<std::string> pages;
     bool check = false, commands = false, changed = false, outputs = false;
 };
 
-/// The pages' paths from the root: those in it, in docs/ and in accel/, unless some are named.
-std::vector<std::string> pages_of(const Wishes& wishes) {
-    if (!wishes.pages.empty()) return wishes.pages;
+/// Returns the paths of the pages, relative to the root: those named, or else all in the root,
+/// docs/ and accel/.
+std::vector<std::string> pages_of(const Options& options) {
+    if (!options.pages.empty()) return options.pages;
     std::vector<std::string> pages;
     for (const std::string folder : {"", "docs/", "accel/"})
-        for (const fs::path& entry : rt::tutor::entries_of(fs::path(wishes.root) / folder))
+        for (const fs::path& entry : rt::tutor::entries_of(fs::path(options.root) / folder))
             if (entry.extension() == ".md") pages.push_back(folder + entry.filename().string());
     std::ranges::sort(pages);
     return pages;
 }
 
-/// What is said of a page, a line each.
+/// Prints findings, one per line.
 struct Report {
-    bool all_is_true = true;
+    bool up_to_date = true;
     void add(const std::string& line) {
-        all_is_true = false;
+        up_to_date = false;
         std::cout << rt::printable_lines(line) << std::endl;
     }
 };
 
-/// Without what differs from clone to clone: where the project lies, and how long it took to build.
-std::string without_place(const std::string& root, const std::string& output) {
+/// Removes what differs between clones: the path of the project and build times.
+std::string without_local_parts(const std::string& root, const std::string& output) {
     std::string result;
     for (std::string line : rt::tutor::lines_of(output)) {
         if (line.starts_with("building...")) continue;
@@ -59,160 +60,164 @@ std::string without_place(const std::string& root, const std::string& output) {
     return result;
 }
 
-/// Runs a line of bash in the project's folder, whatever signs are in its name. What it says goes to `said`.
-rt::tutor::ProcessResult run_line(const Wishes& wishes, const std::string& line, const fs::path& log) {
+/// Runs a bash command in the project's folder, whose name may contain any characters. `log`
+/// receives the output.
+rt::tutor::ProcessResult run_line(const Options& options, const std::string& line, const fs::path& log) {
     const std::string command = "cd -- \"$1\" && shift && " + line;
-    return rt::tutor::run_process({"bash", "-c", command, "weave", wishes.root},
+    return rt::tutor::run_process({"bash", "-c", command, "weave", options.root},
                                   {.log = log, .seconds = 600});
 }
 
-/// What a command says on its standard output. Throws Error if its code is not 0.
-std::string output_of(const Wishes& wishes, const std::string& command) {
+/// Returns the standard output of a command. Throws Error if its exit code is not 0.
+std::string output_of(const Options& options, const std::string& command) {
     const rt::tutor::TemporaryFolder scratch;
     const fs::path log = scratch.path / "log";
-    const rt::tutor::ProcessResult ended = run_line(wishes, "{ " + command + "\n} 2>/dev/null", log);
+    const rt::tutor::ProcessResult result = run_line(options, "{ " + command + "\n} 2>/dev/null", log);
     const std::string output = rt::read_file(log.string());
-    if (ended.code != 0)
-        throw rt::Error("`" + command + "` ends with code " + std::to_string(ended.code) + ":\n" + output);
-    return without_place(wishes.root, output);
+    if (result.code != 0)
+        throw rt::Error("`" + command + "` exits with code " + std::to_string(result.code) + ":\n" + output);
+    return without_local_parts(options.root, output);
 }
 
 bool is_run(const rt::weave::Block& block) {
     return block.kind == "output" || block.kind == "measured";
 }
 
-/// Writes the page anew where it is stale.
-void weave(const Wishes& wishes, const std::string& page) {
-    const fs::path path = fs::path(wishes.root) / page;
+/// Updates a page if it is out of date.
+void weave(const Options& options, const std::string& page) {
+    const fs::path path = fs::path(options.root) / page;
     const std::string old = rt::read_file(path.string());
     const std::string fresh =
         rt::weave::weave_page(old, page, [&](const rt::weave::Block& block, const std::string& now) {
-            if (!is_run(block)) return rt::weave::block_text(wishes.root, block);
-            return now.empty() || wishes.outputs ? rt::weave::fence(output_of(wishes, block.what)) : now;
+            if (!is_run(block)) return rt::weave::block_text(options.root, block);
+            return now.empty() || options.outputs ? rt::weave::fence(output_of(options, block.what)) : now;
         });
     if (fresh == old) return;
     rt::write_file(path.string(), fresh);
-    std::cout << page << ": written\n";
+    std::cout << page << ": updated\n";
 }
 
-/// Says what is stale in the page, and what it refers to that is not there.
-void check(const Wishes& wishes, const std::string& page, Report& report) {
-    const std::string text = rt::read_file((fs::path(wishes.root) / page).string());
+/// Reports the blocks of a page that are out of date, and its dead links.
+void check(const Options& options, const std::string& page, Report& report) {
+    const std::string text = rt::read_file((fs::path(options.root) / page).string());
     rt::weave::weave_page(text, page, [&](const rt::weave::Block& block, const std::string& now) {
         const std::string where = page + ":" + std::to_string(block.begin) + ": ";
-        if (is_run(block) ? now.empty() : now != rt::weave::block_text(wishes.root, block))
-            report.add(where + block.kind + " " + block.what + " is stale: ./learn weave writes it anew");
+        if (is_run(block) ? now.empty() : now != rt::weave::block_text(options.root, block))
+            report.add(where + block.kind + " " + block.what + " is out of date; ./learn weave updates it");
         return now;
     });
-    for (const std::string& line : rt::weave::dead_links(wishes.root, text, page)) report.add(line);
+    for (const std::string& line : rt::weave::dead_links(options.root, text, page)) report.add(line);
 }
 
-/// Holds the output that the page shows against what comes.
-void run_outputs(const Wishes& wishes, const std::string& page, const std::string& text, Report& report) {
+/// Compares the outputs that a page shows with the actual outputs.
+void run_outputs(const Options& options, const std::string& page, const std::string& text, Report& report) {
     rt::weave::weave_page(text, page, [&](const rt::weave::Block& block, const std::string& now) {
         if (!is_run(block)) return now;
         std::cout << page << ":" << block.begin << ": " << block.what << std::endl;
-        const std::string fresh = rt::weave::fence(output_of(wishes, block.what));
+        const std::string fresh = rt::weave::fence(output_of(options, block.what));
         if (block.kind == "output" && fresh != now)
-            report.add(page + ":" + std::to_string(block.begin) + ": the output is another now:\n" + fresh);
+            report.add(page + ":" + std::to_string(block.begin) + ": the output has changed to:\n" + fresh);
         return now;
     });
 }
 
-/// Runs what the page shows, and then what it tells its reader to type: from an empty workshop, and leaves it empty.
-void run_commands(const Wishes& wishes, const std::string& page, Report& report) {
-    const std::string text = rt::read_file((fs::path(wishes.root) / page).string());
-    const fs::path workshop = fs::path(wishes.root) / "workshop";
+/// Runs the commands of the outputs, then the commands that a page tells its reader to type. The workshop
+/// must not exist before, and is removed afterwards.
+void run_commands(const Options& options, const std::string& page, Report& report) {
+    const std::string text = rt::read_file((fs::path(options.root) / page).string());
+    const fs::path workshop = fs::path(options.root) / "workshop";
     const rt::tutor::TemporaryFolder scratch;
     const fs::path log = scratch.path / "log";
     std::error_code ignored;
     if (fs::exists(workshop, ignored))
         throw rt::Error(
-            "workshop/ is there: what stands in it would change what the commands say; move it away");
-    run_outputs(wishes, page, text, report);
+            "workshop/ exists, and its files would change the output of the commands; move it away");
+    run_outputs(options, page, text, report);
     for (const rt::weave::Command& command : rt::weave::find_commands(rt::tutor::lines_of(text), page)) {
         std::cout << page << ":" << command.number << ": " << command.line << std::endl;
-        const rt::tutor::ProcessResult ended = run_line(wishes, command.line, log);
-        if (ended.code != command.code || ended.timed_out)
-            report.add(page + ":" + std::to_string(command.number) + ": ends with code " +
-                       std::to_string(ended.code) + ", not " + std::to_string(command.code) + ":\n" +
+        const rt::tutor::ProcessResult result = run_line(options, command.line, log);
+        if (result.code != command.code || result.timed_out)
+            report.add(page + ":" + std::to_string(command.number) + ": exits with code " +
+                       std::to_string(result.code) + ", not " + std::to_string(command.code) + ":\n" +
                        rt::read_file(log.string()));
     }
     fs::remove_all(workshop, ignored);
 }
 
-/// docs/ran.txt: of each page that runs something, the key of what was run when all of it held.
-void note_keys(const Wishes& wishes, rt::tutor::Record record) {
-    const fs::path root = wishes.root;
+/// Writes docs/ran.txt: for each page with commands, a hash of what was run when all of it succeeded.
+void note_keys(const Options& options, rt::tutor::Record record) {
+    const fs::path root = options.root;
     std::erase_if(record, [&](const auto& page) { return !fs::exists(root / page.first); });
     rt::tutor::write_record(
         root / "docs" / "ran.txt",
-        "# Of each page, the key of what ./learn weave --commands ran when all of it held: its commands and "
-        "outputs,\n# ./learn, and the steps. Read by ./learn weave --commands --changed.\n",
+        "# For each page whose commands all succeeded, a hash of its commands and outputs, ./learn and the "
+        "steps.\n# Written by ./learn weave --commands, read by ./learn weave --commands --changed.\n",
         record);
 }
 
-/// The commands of the pages: of all, or of those that are not as they were when they ran well.
-int run_all_commands(const Wishes& wishes) {
-    rt::tutor::Record keys = rt::tutor::read_record(fs::path(wishes.root) / "docs" / "ran.txt");
-    bool all_is_true = true;
-    for (const std::string& page : pages_of(wishes)) {
-        const std::string key = rt::weave::page_key(wishes.root, page);
+/// Runs the commands of all pages, or with --changed only of pages that changed since they last succeeded.
+/// Returns the exit code.
+int run_all_commands(const Options& options) {
+    rt::tutor::Record keys = rt::tutor::read_record(fs::path(options.root) / "docs" / "ran.txt");
+    bool up_to_date = true;
+    for (const std::string& page : pages_of(options)) {
+        const std::string key = rt::weave::page_key(options.root, page);
         if (key.empty()) keys.erase(page);
-        if (key.empty() || (wishes.changed && keys[page] == key)) continue;
+        if (key.empty() || (options.changed && keys[page] == key)) continue;
         Report report;
-        run_commands(wishes, page, report);
-        all_is_true = all_is_true && report.all_is_true;
-        if (!report.all_is_true) continue;
+        run_commands(options, page, report);
+        up_to_date = up_to_date && report.up_to_date;
+        if (!report.up_to_date) continue;
         keys[page] = key;
-        note_keys(wishes, keys);
+        note_keys(options, keys);
     }
-    return all_is_true ? 0 : 1;
+    return up_to_date ? 0 : 1;
 }
 
-int answer(const Wishes& wishes) {
-    if (wishes.commands) return run_all_commands(wishes);
+int run(const Options& options) {
+    if (options.commands) return run_all_commands(options);
     Report report;
-    for (const std::string& page : pages_of(wishes)) {
-        if (wishes.check)
-            check(wishes, page, report);
+    for (const std::string& page : pages_of(options)) {
+        if (options.check)
+            check(options, page, report);
         else
-            weave(wishes, page);
+            weave(options, page);
     }
-    return report.all_is_true ? 0 : 1;
+    return report.up_to_date ? 0 : 1;
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app("Fills the chapters' listings, diffs, galleries and outputs with what is there.\n"
-                 "Exit code: 0 all is true, 1 something is not, 2 an error.",
+    CLI::App app("Updates the listings, diffs, galleries and outputs in the chapters.\n"
+                 "Exit code: 0 everything is up to date, 1 something is not, 2 an error.",
                  "weave");
-    Wishes wishes;
+    Options options;
     app.set_version_flag("--version", rt::version());
-    app.add_option("PAGES", wishes.pages,
-                   "docs/03_mirror.md ...; those of docs/ and of the project's folder if none is named");
+    app.add_option(
+        "PAGES", options.pages,
+        "such as docs/03_mirror.md; by default all pages in the project's folder, docs/ and accel/");
     CLI::Option* const check_flag =
-        app.add_flag("--check", wishes.check, "writes nothing: says what is stale, and which links are dead");
-    CLI::Option* const commands_flag = app.add_flag(
-        "--commands", wishes.commands,
-        "writes nothing: runs every command of the pages, and compares the output that they show");
-    app.add_flag("--changed", wishes.changed,
-                 "with --commands: leaves out the pages that ran well as they are (docs/ran.txt)")
+        app.add_flag("--check", options.check, "write nothing; report what is out of date, and dead links");
+    CLI::Option* const commands_flag =
+        app.add_flag("--commands", options.commands,
+                     "write nothing; run every command of the pages, and compare the outputs that they show");
+    app.add_flag("--changed", options.changed,
+                 "with --commands: skip pages that have not changed since they last succeeded (docs/ran.txt)")
         ->needs(commands_flag);
-    app.add_flag("--outputs", wishes.outputs,
-                 "runs the commands of all outputs anew, not only of those that are empty")
+    app.add_flag("--outputs", options.outputs,
+                 "run the commands of all outputs again, not only of those that are empty")
         ->excludes(check_flag)
         ->excludes(commands_flag);
     check_flag->excludes(commands_flag);
-    app.add_option("--root", wishes.root, "the project's folder")->required();
+    app.add_option("--root", options.root, "the project's folder")->required();
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : 2;
     }
     try {
-        return answer(wishes);
+        return run(options);
     } catch (const std::exception& error) {
         return rt::report_error("weave", error.what());
     }

@@ -1,5 +1,6 @@
-// Takes a source apart into what stands at its top level: namespaces open and close at the first column, and what they hold
-// is not indented.
+// Splits a source file into its top-level declarations.
+// Relies on the formatting: namespaces open and close in the first column, and their contents
+// are not indented.
 #include "tools/weave/region.h"
 
 #include "common/util/error.h"
@@ -17,8 +18,8 @@ using namespace tutor;
 namespace {
 
 struct Item {
-    std::string text; ///< whole, with the comment over it
-    std::string head; ///< the declaration on one line: up to its body, its value or its end
+    std::string text; ///< complete, with the comment above it
+    std::string head; ///< the declaration on one line, up to its body, value or end
     bool has_body = false;
 };
 
@@ -26,7 +27,7 @@ bool is_word(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
-/// The line without a comment and without what stands in quotes.
+/// Returns the line without comments and without the contents of quotes.
 std::string code_of(const std::string& line) {
     std::string code;
     char quote = 0;
@@ -40,14 +41,14 @@ std::string code_of(const std::string& line) {
             continue;
         }
         if (c == '/' && i + 1 < line.size() && line[i + 1] == '/') break;
-        // the mark in 1'000 is no quote
+        // the separator in 1'000 is not a quote
         if (c == '"' || (c == '\'' && (i == 0 || !is_word(line[i - 1])))) quote = c;
         code += c;
     }
     return code;
 }
 
-/// Where the bracket at `open` is closed; the end if it is not.
+/// Returns the position of the bracket that closes the one at `open`; the size of the text if there is none.
 std::size_t closing(const std::string& text, std::size_t open, char opens, char closes) {
     int depth = 0;
     for (std::size_t i = open; i < text.size(); ++i) {
@@ -65,7 +66,7 @@ std::string without_template(std::string head) {
     return head;
 }
 
-/// The word that ends before `end`.
+/// Returns the word that ends before `end`.
 std::string word_before(const std::string& text, std::size_t end) {
     while (end > 0 && text[end - 1] == ' ') --end;
     std::size_t begin = end;
@@ -80,7 +81,7 @@ std::string word_after(const std::string& text, std::size_t begin) {
     return text.substr(begin, end - begin);
 }
 
-/// The name that a declaration declares.
+/// Returns the name that a declaration introduces.
 std::string declared(const std::string& head) {
     const std::string text = without_template(head);
     for (const std::string key : {"struct ", "enum class ", "enum ", "class ", "using ", "concept "}) {
@@ -96,7 +97,7 @@ std::string declared(const std::string& head) {
     return name;
 }
 
-/// Lines from `begin` on to the end of the declaration that begins there.
+/// Reads the declaration that begins at `line`, with the comment from `comment` on; moves `line` behind it.
 Item item_at(const std::vector<std::string>& lines, std::size_t comment, std::size_t& line) {
     Item item;
     for (std::size_t i = comment; i < line; ++i) item.text += lines[i] + '\n';
@@ -127,7 +128,7 @@ Item item_at(const std::vector<std::string>& lines, std::size_t comment, std::si
 std::vector<Item> items_of(const std::string& text) {
     const std::vector<std::string> lines = lines_of(text);
     std::vector<Item> items;
-    std::size_t comment = 0; // where the comment that stands right above begins
+    std::size_t comment = 0; // where the comment directly above begins
     for (std::size_t line = 0; line < lines.size();) {
         const std::string& now = lines[line];
         if (now.starts_with("//")) {
@@ -145,7 +146,7 @@ std::vector<Item> items_of(const std::string& text) {
     return items;
 }
 
-bool is_meant(const Item& item, const std::string& name) {
+bool matches(const Item& item, const std::string& name) {
     const std::size_t parameters = name.find('(');
     if (declared(item.head) != name.substr(0, parameters)) return false;
     return parameters == std::string::npos || item.head.find(name) != std::string::npos;
@@ -156,16 +157,16 @@ bool is_meant(const Item& item, const std::string& name) {
 std::string region(const std::string& text, const std::string& name, const std::string& path) {
     std::vector<Item> found;
     for (const Item& item : items_of(text))
-        if (is_meant(item, name)) found.push_back(item);
+        if (matches(item, name)) found.push_back(item);
     std::vector<Item> defined;
     for (const Item& item : found)
         if (item.has_body) defined.push_back(item);
     if (!defined.empty()) found = defined;
-    if (found.empty()) throw Error(path + ": declares no " + name);
+    if (found.empty()) throw Error(path + ": there is no declaration of " + name);
     if (found.size() > 1)
-        throw Error(path + ": declares " + name + " " + std::to_string(found.size()) +
-                    " times: say how the parameters of the one you mean begin, as in \"" +
-                    name.substr(0, name.find('(')) + "(const Quad\"");
+        throw Error(path + ": there are " + std::to_string(found.size()) + " declarations of " + name +
+                    "; add the beginning of the parameters, as in \"" + name.substr(0, name.find('(')) +
+                    "(const Quad\"");
     return found[0].text;
 }
 

@@ -1,4 +1,4 @@
-// Finds the markers of a page and makes what belongs between them.
+// Finds the markers in a page and generates the text between them.
 #include "tools/weave/weave.h"
 
 #include "common/util/error.h"
@@ -57,14 +57,14 @@ std::string listing(const fs::path& root, const std::string& what) {
 
 std::string diff(const fs::path& root, const std::string& what) {
     const auto files = words_of(what);
-    if (files.size() != 2) throw Error("diff: wants two files, not \"" + what + "\"");
+    if (files.size() != 2) throw Error("diff: expected two files, not \"" + what + "\"");
     const std::string text =
         unified_diff({files[0], read(root, files[0])}, {files[1], read(root, files[1])}, false);
-    if (text.empty()) throw Error("diff: " + files[0] + " and " + files[1] + " are the same");
+    if (text.empty()) throw Error("diff: " + files[0] + " and " + files[1] + " are equal");
     return "```diff\n" + text + "```\n";
 }
 
-/// In a cell of a table a bar ends the cell.
+/// Escapes |, which would end a cell of a table.
 std::string cell(const std::string& text) {
     std::string safe;
     for (const char c : text) {
@@ -74,7 +74,7 @@ std::string cell(const std::string& text) {
     return safe;
 }
 
-/// Begins with a capital, unless the first word is a formula ("d.n is negative").
+/// Capitalises the text, unless it begins with a formula ("d.n is negative"), and adds a full stop.
 std::string sentence(std::string text) {
     const auto is_small = [](char c) { return c >= 'a' && c <= 'z'; };
     const std::string word = text.substr(0, text.find_first_of(" ,:;'-"));
@@ -98,9 +98,9 @@ std::string row(const fs::path& root, const Mistake& mistake) {
 
 std::string gallery(const fs::path& root, const std::string& what) {
     auto words = words_of(what);
-    if (words.empty()) throw Error("gallery: names no step");
+    if (words.empty()) throw Error("gallery: the step is missing");
     const std::vector<Mistake> known = read_catalogue(root, words[0]);
-    if (known.empty()) throw Error("gallery: no mistakes are known of a step " + words[0]);
+    if (known.empty()) throw Error("gallery: the step " + words[0] + " has no known mistakes");
     if (words.size() == 1)
         for (const Mistake& mistake : known) words.push_back(mistake.id);
     std::string table = "| what you see | what it is |\n| --- | --- |\n";
@@ -113,7 +113,7 @@ std::string gallery(const fs::path& root, const std::string& what) {
     return "\n" + table + "\n";
 }
 
-/// Adds the code of all files below a folder, in the order of their names.
+/// Adds the code of all files below a folder to the hash, sorted by name.
 void add_code_below(const fs::path& folder, Hash& hash) {
     for (const fs::path& entry : entries_of(folder)) {
         if (fs::is_directory(entry))
@@ -131,19 +131,19 @@ std::vector<Block> find_blocks(const std::vector<std::string>& lines, const std:
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const std::string& line = lines[i];
         if (line == end_marker) {
-            if (!open) fail(path, i, "an end without a marker before it");
+            if (!open) fail(path, i, "this <!-- end --> has no marker before it");
             blocks.back().end = i;
             open = false;
             continue;
         }
         const std::size_t colon = line.find(": ");
         if (!line.starts_with(opens) || !line.ends_with(closes) || colon == std::string::npos) continue;
-        if (colon + 2 + closes.size() > line.size()) fail(path, i, "a marker names what belongs there");
+        if (colon + 2 + closes.size() > line.size()) fail(path, i, "this marker does not say what to insert");
         const std::string kind = line.substr(opens.size(), colon - opens.size());
         const std::string what = line.substr(colon + 2, line.size() - closes.size() - colon - 2);
-        if (open) fail(path, i, "a marker before the end of the one before");
+        if (open) fail(path, i, "this marker begins before the end of the previous one");
         if (std::ranges::find(kinds, kind) == kinds.end())
-            fail(path, i, "\"" + kind + "\" is none of listing, diff, gallery, output, measured");
+            fail(path, i, "\"" + kind + "\" is not one of listing, diff, gallery, output, measured");
         blocks.push_back({kind, what, i + 1, i + 1});
         open = true;
     }
@@ -167,7 +167,7 @@ std::vector<Command> find_commands(const std::vector<std::string>& lines, const 
             const auto [end, failure] =
                 std::from_chars(begin, lines[i].data() + lines[i].size(), command.code);
             if (failure != std::errc() || command.code < 0 || command.code > 255)
-                fail(path, i, "after \"# exit \" stands no exit code");
+                fail(path, i, "\"# exit \" must be followed by an exit code");
         }
         commands.push_back(command);
     }
@@ -200,7 +200,7 @@ std::string block_text(const fs::path& root, const Block& block) {
     if (block.kind == "listing") return listing(root, block.what);
     if (block.kind == "diff") return diff(root, block.what);
     if (block.kind == "gallery") return gallery(root, block.what);
-    throw Error(block.kind + ": needs its command to be run");
+    throw Error(block.kind + ": the command must be run first");
 }
 
 std::string fence(const std::string& output) {

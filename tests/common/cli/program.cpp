@@ -444,7 +444,7 @@ TEST_CASE("a picture that cannot be saved anywhere is reported as lost") {
     fs::create_directory(folder / "here");
     const Run result = run_without_folder({"--out", folder / "here/p.png"}, folder / "here");
     CHECK(result.code == 2);
-    CHECK(contains(result.err, "it is lost\n"));
+    CHECK(contains(result.err, "is lost\n"));
     CHECK_FALSE(contains(result.out, "wrote"));
 }
 

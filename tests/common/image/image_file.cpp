@@ -150,7 +150,7 @@ TEST_CASE("no file takes more memory than its size can require") {
     CHECK_ERROR(error_of_reading(folder, "empty.png", packed_png(9000, 9000, 8, 2, zeros(1))), "cut short");
     const std::string vast = png(8, 8, 8, 2, "").replace(33, 4, "\x7f\xff\xff\xff"); // the length of its data
     CHECK_ERROR(error_of_reading(folder, "vast.png", vast), "vast.png", "cut short");
-    CHECK_ERROR(error_of_reading(folder, "none.png", packed_png(8, 8, 8, 2, "")), "no data");
+    CHECK_ERROR(error_of_reading(folder, "none.png", packed_png(8, 8, 8, 2, "")), "no pixel data");
     const std::string split = packed_png(1, 1, 8, 0, stored(std::string("\0\x77", 2)), chunk("IDAT", ""));
     CHECK(read_bitmap(folder.write("split.png", split)).values[0] == 0x7777); // a chunk may be empty
 }

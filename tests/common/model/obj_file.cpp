@@ -399,7 +399,7 @@ TEST_CASE("an error names its line in whichever chunk it is") {
         CHECK_ERROR(error_in_any_chunks(before + "f 1 2 x\nf 1 2 3\nv y\n"), ":" + std::to_string(line) + ":",
                     "\"x\"");
         CHECK_ERROR(error_in_any_chunks(before + "f 1 2 -5\nf 1 2 z\n"), ":" + std::to_string(line) + ":",
-                    "position -5, but only 4 stand");
+                    "position -5, but only 4 precede it");
         CHECK_ERROR(error_in_any_chunks(before + "f 1 2 5\nf 1 2 6\nf 1 2 6\n"),
                     ":" + std::to_string(line + 1) + ":", "position 6", "has 4");
         before += "# a\nf -4 -3 -1\r\n\n#\\\n\rf 1 2 4 3\n";

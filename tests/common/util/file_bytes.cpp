@@ -60,8 +60,8 @@ TEST_CASE("links that lead nowhere are rejected before any work") {
     fs::create_symlink("b", folder.path / "a");
     fs::create_symlink("a", folder.path / "b");
     fs::create_symlink("none/a.png", folder.path / "c");
-    CHECK_ERROR(error_of([&] { check_file_writable(folder / "a"); }), "circle");
-    CHECK_ERROR(error_of([&] { write_file(folder / "a", ""); }), "circle");
+    CHECK_ERROR(error_of([&] { check_file_writable(folder / "a"); }), "form a loop");
+    CHECK_ERROR(error_of([&] { write_file(folder / "a", ""); }), "form a loop");
     CHECK_ERROR(error_of([&] { check_file_writable(folder / "c"); }), "none does not exist");
 }
 
