@@ -1,19 +1,41 @@
-// The main function of all test executables: doctest's, with two additions.
+// The main function of all test executables: doctest's, with three additions.
 // A filter that selects no test case is an error, and --reporters=lines prints events for other programs, one
 // per line, with fields separated by tabs:
 //     case  name                              a test case begins
 //     fail  file:line  expression  expanded   an assertion failed
 //     note  text                              context or explanation of the failure before it
 //     end   name  ok|failed|skipped  seconds  the test case is over
+// --seconds-per-check=5 ends the process if a test case uses more processor time (on POSIX systems).
 #define DOCTEST_CONFIG_IMPLEMENT
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <iostream>
 #include <sstream>
 #include <string>
+#include <string_view>
+
+#if __has_include(<sys/resource.h>)
+#include <sys/resource.h>
+#endif
 
 namespace {
+
+int seconds_per_check = 0; ///< 0: no limit
+
+/// Sets the limit for the test case that begins now.
+void limit_processor_time() {
+#if __has_include(<sys/resource.h>)
+    if (seconds_per_check == 0) return;
+    rusage used{};
+    getrusage(RUSAGE_SELF, &used);
+    rlimit limit{};
+    getrlimit(RLIMIT_CPU, &limit);
+    limit.rlim_cur = rlim_t(used.ru_utime.tv_sec + used.ru_stime.tv_sec + 1 + seconds_per_check);
+    setrlimit(RLIMIT_CPU, &limit);
+#endif
+}
 
 /// Replaces line breaks and tabs by spaces, so that a reader can split lines and fields.
 std::string one_line(std::string text) {
@@ -34,6 +56,7 @@ struct Lines : doctest::IReporter {
     void test_case_start(const doctest::TestCaseData& test) override {
         name = one_line(test.m_name);
         skipped = false;
+        limit_processor_time();
         out << "case\t" << name << std::endl;
     }
     void test_case_end(const doctest::CurrentTestCaseStats& stats) override {
@@ -107,6 +130,10 @@ REGISTER_LISTENER("counter", 0, Counter);
 } // namespace
 
 int main(int argc, char** argv) {
+    constexpr std::string_view limit = "--seconds-per-check=";
+    for (int i = 1; i < argc; ++i)
+        if (std::string_view(argv[i]).starts_with(limit))
+            seconds_per_check = std::atoi(argv[i] + limit.size());
     doctest::Context context(argc, argv);
     const int result = context.run();
     if (context.shouldExit()) return result; // only a list, a count or help was requested

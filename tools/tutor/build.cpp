@@ -9,8 +9,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <fstream>
-#include <future>
 #include <iostream>
 #include <sstream>
 
@@ -45,14 +43,6 @@ std::optional<CompileError> error_in(const std::string& line) {
     return std::nullopt;
 }
 
-/// Returns whether the build tool has reported that it linked the target: it prints one line per output.
-bool is_linked(const fs::path& log, const std::string& target) {
-    std::ifstream lines(log);
-    for (std::string line; std::getline(lines, line);)
-        if (line.ends_with("bin/" + target) || line.ends_with(target + ".exe")) return true;
-    return false;
-}
-
 } // namespace
 
 std::optional<CompileError> first_error(const std::string& log, const std::string& preferred) {
@@ -64,28 +54,6 @@ std::optional<CompileError> first_error(const std::string& log, const std::strin
         if (!first) first = error;
     }
     return first;
-}
-
-BuildResult build_targets(const fs::path& build, const Words& targets, const fs::path& log,
-                          const std::string& preferred, const std::function<void()>& on_first) {
-    const std::string jobs = std::to_string(usable_cores()); // ninja's default is two more
-    Words command{"cmake", "--build", build.string(), "--parallel", jobs, "--target"};
-    command.insert(command.end(), targets.begin(), targets.end());
-    auto process = std::async(std::launch::async, [&] {
-        const BuildLock alone(build);
-        return run_process(command, {.log = log});
-    });
-    bool notified = !on_first;
-    while (process.wait_for(std::chrono::milliseconds(20)) != std::future_status::ready) {
-        if (notified || !is_linked(log, targets[0])) continue;
-        notified = true;
-        on_first();
-    }
-    const int code = process.get().code;
-    BuildResult result{code == 0, code, std::nullopt, read_file(log.string())};
-    if (!result.succeeded) result.error = first_error(result.log, preferred);
-    if (result.succeeded && !notified) on_first();
-    return result;
 }
 
 namespace {

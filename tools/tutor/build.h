@@ -4,7 +4,6 @@
 #include "tools/tutor/workshop.h"
 
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,20 +19,6 @@ struct CompileError {
 /// Returns the first error that GCC or Clang reports in `log`. An error in a file below `preferred` takes
 /// precedence: an error in a learner's file also shows up in files that include it.
 std::optional<CompileError> first_error(const std::string& log, const std::string& preferred);
-
-struct BuildResult {
-    bool succeeded = false;
-    int code = 0;
-    std::optional<CompileError> error; ///< empty if the build failed for another reason
-    std::string log;
-};
-
-/// Builds the targets in a configured build folder, under its lock; `log` receives the output. Calls
-/// `on_first` on this thread as soon as the program bin/`targets[0]` has been linked, or at the end if it was
-/// up to date; not if the build failed before that.
-BuildResult build_targets(const std::filesystem::path& build, const Words& targets,
-                          const std::filesystem::path& log, const std::string& preferred,
-                          const std::function<void()>& on_first = {});
 
 /// A CMake preset of the project; its build folder is build/`name`.
 struct Preset {

@@ -210,4 +210,18 @@ compare::CatalogueMatch nearest_mistake(const fs::path& root, const std::string&
                                       compare::read_encoded(right.string()), {}, wrong);
 }
 
+Words mistakes_in(const std::filesystem::path& root, const Exercise& exercise) {
+    const std::string file = exercise.step + "/" + exercise.file;
+    const std::string reference = read_file((root / "steps" / file).string());
+    const Words lines = lines_of(reference);
+    Words ids;
+    for (const Mistake& mistake : read_catalogue(root, exercise.step)) {
+        if (mistake.file != file) continue;
+        const auto changed = std::ranges::mismatch(lines, lines_of(with_mistake(mistake, reference))).in1;
+        const int line = int(changed - lines.begin()) + 1;
+        if (exercise.function_line <= line && line <= exercise.last_line) ids.push_back(mistake.id);
+    }
+    return ids;
+}
+
 } // namespace rt::tutor

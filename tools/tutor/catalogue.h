@@ -4,6 +4,7 @@
 #pragma once
 
 #include "tools/compare/catalogue.h"
+#include "tools/tutor/exercises.h"
 #include "tools/tutor/util.h"
 
 #include <filesystem>
@@ -40,6 +41,9 @@ std::string with_mistake(const Mistake& mistake, const std::string& header);
 /// Returns the mistakes of a step from `root`/exercises/NN_name/mistakes.md; empty if there is no such file.
 /// Checks that each applies to `root`/steps. Throws Error.
 std::vector<Mistake> read_catalogue(const std::filesystem::path& root, const std::string& step);
+
+/// Returns the ids of the mistakes of the exercise's step that are in the exercise's function. Throws Error.
+Words mistakes_in(const std::filesystem::path& root, const Exercise& exercise);
 
 /// Returns a path such as `root`/exercises/03_mirror/gallery/far-root.png. The id of the correct
 /// picture is "right".

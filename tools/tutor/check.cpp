@@ -1,23 +1,21 @@
-// ./learn check: builds, runs the checks, compares the picture, and prints a diagnosis and the next command.
+// ./learn check: what fails is always about lines that the learner wrote, since functions that are not written yet are the
+// reference's while the checks run. Each red function is found by checking it alone among the reference's.
 #include "tools/tutor/commands.h"
 
-#include "common/util/report_error.h"
 #include "common/util/error.h"
 #include "common/util/file_bytes.h"
-#include "tools/tutor/catalogue.h"
-#include "tools/tutor/workshop.h"
-#include "tools/tutor/check_parts.h"
-#include "tools/tutor/build.h"
-#include "tools/tutor/diagnosis.h"
+#include "tools/tutor/check_report.h"
 #include "tools/tutor/hints.h"
-#include "tools/tutor/report.h"
+#include "tools/tutor/screen.h"
+#include "tools/tutor/system.h"
 #include "tools/tutor/util.h"
 
+#include "common/util/cores.h"
+
 #include <algorithm>
-#include <chrono>
+#include <atomic>
 #include <iterator>
 #include <optional>
-#include <sstream>
 
 namespace rt::tutor {
 
@@ -25,184 +23,352 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The results of one file of checks.
-struct CheckedFile {
-    std::string name; ///< "03_mirror_quad"
-    std::vector<CheckResult> results;
+/// The learner's code does not compile.
+struct CompileFailure {
+    std::string log;
 };
 
-/// Everything that one run finds out.
-struct Findings {
-    fs::path scratch; ///< a temporary folder for this run
-    std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
-    std::vector<Exercise> exercises;
-    Words untouched;                 ///< exercises whose code is still that of the stub
-    std::vector<CheckedFile> files;  ///< in the order in which they are reported
-    std::vector<CheckResult> checks; ///< of all files
-    Words earlier;                   ///< one line per step
-    bool earlier_hold = true;
-    PictureFinding picture;
-    Diagnosis diagnosis;
-    std::optional<Mistake> mistake; ///< the most likely mistake
-    Words similar_mistakes;         ///< mistakes that produce the same picture
-    std::string next;
+/// Everything that the parts of a check share.
+struct Session {
+    const Project& project;
+    const CheckOptions& options;
+    const Toolchain& tools;
+    Screen& screen;
+    Findings& findings;
+
+    const std::string& step() const { return options.step; }
+    Change change(const std::string& id, Headers headers) const {
+        return {options.step, id, std::move(headers)};
+    }
 };
 
-/// Returns the time since the check began, in seconds, rounded down to one decimal.
-double seconds_since(const Findings& findings) {
+std::string seconds_text(const Findings& findings) {
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - findings.begin;
-    return int(took.count() * 10) / 10.0;
+    char text[32];
+    std::snprintf(text, sizeof text, " (%.1f s)", took.count());
+    return text;
 }
+
+Words names_in(const Findings& findings, GapState state) {
+    Words names;
+    for (const Gap& gap : findings.gaps)
+        if (gap.state == state) names.push_back(gap.exercise.name);
+    return names;
+}
+
+bool is_red(const Findings& findings, const std::string& name) {
+    return std::ranges::find(findings.red, name, &RedFunction::name) != findings.red.end();
+}
+
+const Gap& gap_named(const Findings& findings, const std::string& name) {
+    return *std::ranges::find(findings.gaps, name, [](const Gap& gap) { return gap.exercise.name; });
+}
+
+/// Runs one file of checks on the learner's code. Throws CompileFailure.
+Outcome checked(const Toolchain& tools, const Change& change, const std::string& source) {
+    Outcome outcome = run_source(tools, change, source);
+    if (!outcome.compiled) throw CompileFailure{outcome.log};
+    return outcome;
+}
+
+/// Returns the step's sources of checks but for slow ones; those of the file that was saved last come first.
+Words quick_sources(const Project& project, const std::string& step) {
+    Words sources;
+    for (const std::string& file : check_files(project.root, step))
+        if (!is_slow(file)) sources.push_back(check_source(step, file));
+    return sources;
+}
+
+/// Returns the learner's header of the step that was saved last, such as "mirror.h"; empty if there is none.
+std::string saved_last(const Project& project, const std::string& step) {
+    std::string last;
+    fs::file_time_type when = fs::file_time_type::min();
+    for (const std::string& file : own_files(project, step)) {
+        std::error_code missing;
+        const fs::file_time_type saved = fs::last_write_time(project.workshop / step / file, missing);
+        if (missing || saved <= when) continue;
+        last = file;
+        when = saved;
+    }
+    return last;
+}
+
+// --- the picture ------------------------------------------------------------------------------------------------
+
+/// Returns the folder with the picture that the reference makes with the same gaps. It is rendered once.
+fs::path expected_folder(const Session& session, const Headers& cut) {
+    const Change change = session.change("expected", cut);
+    const fs::path folder = session.tools.work / "expected" /
+                            dependency_key(session.tools, change, program_source(session.step()));
+    std::error_code ignored;
+    if (fs::exists(folder / (session.step() + ".hdr"), ignored)) return folder;
+    const TemporaryFolder scratch(session.tools.work);
+    if (const Outcome built = build_step(session.tools, change, scratch.path); !built.compiled)
+        throw Error("the reference with these gaps does not compile: " + built.complaint);
+    RenderJob job{.root = session.project.root,
+                  .step = session.step(),
+                  .program = scratch.path / "program",
+                  .references = {},
+                  .out = scratch.path / "picture",
+                  .samples = Samples::few};
+    make_folder(job.out);
+    if (const auto reason = render(job))
+        throw Error("the reference with these gaps makes no picture: " + *reason);
+    make_folder(folder);
+    for (const char* const kind : {".png", ".variance.hdr", ".hdr"})
+        if (fs::exists(job.out / (session.step() + kind)))
+            fs::rename(job.out / (session.step() + kind), folder / (session.step() + kind));
+    return folder;
+}
+
+/// Builds the learner's program, as it is, and compares its picture with that of the reference with the same gaps.
+void check_picture(const Session& session) {
+    const Change change = session.change("mine", own_headers(session.project, session.step()));
+    if (const Outcome built = build_step(session.tools, change, session.findings.scratch); !built.compiled)
+        throw CompileFailure{built.log};
+    const Headers cut = cut_headers(session.project, session.step());
+    RenderJob job{.root = session.project.root,
+                  .step = session.step(),
+                  .program = session.findings.scratch / "program",
+                  .references = reference_folder(session.project.root),
+                  .out = session.findings.scratch / "picture",
+                  .samples = cut.empty() ? Samples::all : Samples::few};
+    make_folder(job.out);
+    if (!cut.empty()) job.references = expected_folder(session, cut);
+    PictureFinding& picture = session.findings.picture;
+    picture = render_and_compare(job);
+    if (!cut.empty() && picture.holds) {
+        picture.verdict = "partial"; // the step is not done
+        picture.lines = {"the same as the reference makes with the functions that you have written"};
+    }
+    if (cut.empty() && picture.comparison && !picture.holds)
+        session.findings.similar_mistakes = similar_mistakes(job);
+}
+
+void print_picture(const Session& session) {
+    const PictureFinding& picture = session.findings.picture;
+    session.screen.line("picture", joined(picture.lines, "\n") + seconds_text(session.findings),
+                        picture.holds ? Colour::green : Colour::red);
+}
+
+// --- the checks -------------------------------------------------------------------------------------------------
+
+/// Runs the checks of one step with all of the learner's files, several at a time.
+std::vector<CheckedFile> run_step(const Session& session, const std::string& step, const Headers& headers,
+                                  const Words& sources) {
+    std::vector<CheckedFile> files(sources.size());
+    std::atomic<bool> hung = false;
+    in_parallel(sources.size(), usable_cores(), [&](std::size_t i) {
+        files[i].source = sources[i];
+        if (hung) return;
+        const Outcome outcome = checked(session.tools, {step, "filled", headers}, sources[i]);
+        files[i].results = outcome.results;
+        if (outcome.timed_out) hung = true;
+    });
+    return files;
+}
+
+/// Says what broke in the first check that crashed, by a second run with sanitizers.
+void explain_crashes(const Session& session, const Headers& headers) {
+    for (CheckedFile& file : session.findings.files)
+        for (CheckResult& check : file.results) {
+            if (check.state != CheckState::unfinished) continue;
+            const std::string cause =
+                explain_crash(session.tools, session.change("filled", headers), file.source);
+            if (!cause.empty()) check.failures.front().values = "crashed: " + cause;
+            return;
+        }
+}
+
+void collect_checks(Findings& findings) {
+    findings.checks.clear();
+    for (const CheckedFile& file : findings.files)
+        std::ranges::copy(file.results, std::back_inserter(findings.checks));
+}
+
+/// What the known mistakes of a function say to the results that it alone makes.
+Diagnosis diagnose_function(const Project& project, const Exercise& exercise,
+                            const std::vector<CheckResult>& results) {
+    const Words ids = mistakes_in(project.root, exercise);
+    std::vector<Signature> known = read_signatures(project.root, exercise.step);
+    std::erase_if(known, [&](const Signature& signature) { return !contains(ids, signature.id); });
+    return diagnose(known, {results});
+}
+
+/// Checks a function alone among the reference's. Nothing if it is right, or if it does not compile like that.
+std::optional<RedFunction> check_alone(const Session& session, const std::string& name,
+                                       const Words& sources) {
+    const Change change = session.change(name, isolated_headers(session.project, session.step(), {name}));
+    RedFunction red{.name = name, .failing = 0, .diagnosis = {}};
+    for (const std::string& source : sources) {
+        const Outcome outcome = run_source(session.tools, change, source);
+        if (!outcome.compiled) return std::nullopt;
+        const auto count = int(std::ranges::count_if(outcome.results, has_failed));
+        if (count > 0 && red.failing == 0)
+            red.diagnosis = diagnose_function(session.project, gap_named(session.findings, name).exercise,
+                                              outcome.results);
+        red.failing += count;
+    }
+    return red.failing > 0 ? std::optional(red) : std::nullopt;
+}
+
+/// Finds out which of the written functions are wrong.
+void find_red(const Session& session) {
+    Findings& findings = session.findings;
+    Words sources;
+    for (const CheckedFile& file : findings.files)
+        if (std::ranges::any_of(file.results, has_failed)) sources.push_back(file.source);
+    if (sources.empty()) return;
+    const Words written = names_in(findings, GapState::written);
+    std::vector<std::optional<RedFunction>> alone(written.size());
+    in_parallel(written.size(), usable_cores(),
+                [&](std::size_t i) { alone[i] = check_alone(session, written[i], sources); });
+    for (const auto& red : alone)
+        if (red) findings.red.push_back(*red);
+    const std::string last = saved_last(session.project, session.step());
+    std::ranges::stable_partition(findings.red, [&](const RedFunction& red) {
+        return gap_named(findings, red.name).exercise.file == last;
+    });
+}
+
+/// Runs the checks of those earlier steps in which the learner has files.
+void check_earlier(const Session& session, const Headers& headers) {
+    for (const std::string& step : all_steps(session.project)) {
+        if (step >= session.step()) break;
+        if (own_files(session.project, step).empty()) continue;
+        EarlierStep earlier{.step = step, .passed = 0, .failed = 0, .first = {}};
+        for (const CheckedFile& file : run_step(session, step, headers, quick_sources(session.project, step)))
+            for (const CheckResult& check : file.results) {
+                if (has_failed(check) && earlier.failed++ == 0) earlier.first = check.name;
+                earlier.passed += !has_failed(check);
+            }
+        session.findings.earlier.push_back(earlier);
+    }
+}
+
+// --- the screen -------------------------------------------------------------------------------------------------
 
 std::size_t failures(const std::vector<CheckResult>& checks) {
     return std::size_t(std::ranges::count_if(checks, has_failed));
 }
 
+bool has_hung(const Findings& findings) {
+    return std::ranges::find(findings.checks, CheckState::endless, &CheckResult::state) !=
+           findings.checks.end();
+}
+
 std::string passed_text(const std::vector<CheckResult>& checks) {
-    return std::to_string(checks.size() - failures(checks)) + " of " + std::to_string(checks.size()) +
-           " checks";
+    return part_of(checks.size() - failures(checks), checks.size()) + " pass";
 }
 
-/// Returns the exercises in the learner's files whose code is still that of the stub.
-Words untouched_exercises(const Project& project, const std::string& step,
-                          const std::vector<Exercise>& exercises) {
-    Words names;
-    for (const Exercise& exercise : exercises) {
-        const fs::path own = project.workshop / step / exercise.file;
-        std::error_code ignored;
-        if (!fs::is_regular_file(own, ignored)) continue;
-        const std::string reference = read_file((steps_folder(project) / step / exercise.file).string());
-        const std::string stub = make_stub(reference, find_exercises(reference, exercise.file));
-        if (is_untouched(exercise, read_file(own.string()), stub)) names.push_back(exercise.name);
-    }
-    return names;
+void print_functions(const Session& session) {
+    const Findings& findings = session.findings;
+    Words done, red;
+    for (const std::string& name : names_in(findings, GapState::written))
+        if (is_red(findings, name))
+            red.push_back(name + " (" + gap_named(findings, name).place + ")");
+        else
+            done.push_back(name);
+    const bool unclear = findings.red.empty() && failures(findings.checks) > 0;
+    if (!done.empty())
+        session.screen.line(unclear ? "yours" : "done", joined(done, ", "),
+                            unclear ? Colour::none : Colour::green);
+    if (!red.empty()) session.screen.line("wrong", joined(red, ", "), Colour::red);
+    const Words unwritten = names_in(findings, GapState::unwritten);
+    if (!unwritten.empty()) session.screen.line("to write", joined(unwritten, ", "), Colour::grey);
 }
 
-/// Returns the exercise that contains the line of a compile error in the learner's file, or nullptr.
-const Exercise* exercise_at(const Project& project, const std::vector<Exercise>& exercises,
-                            const CompileError& error) {
-    const Exercise* nearest = nullptr;
-    int begin = 0;
-    for (const Exercise& exercise : exercises) {
-        const fs::path own = project.workshop / exercise.step / exercise.file;
-        std::error_code ignored;
-        if (!error.file.ends_with(exercise.step + "/" + exercise.file) || !fs::is_regular_file(own, ignored))
-            continue;
-        const int line = line_of(exercise, read_file(own.string()));
-        if (line > error.line + 3 || line < begin) continue; // the error may be reported before the gap
-        nearest = &exercise;
-        begin = line;
-    }
-    return nearest;
+/// Prints what a failing check found: the values, and its last note, which explains them.
+void print_failure(const Session& session, const CheckResult& check) {
+    session.screen.line("failed", check.name, Colour::red);
+    if (check.failures.empty()) return;
+    const Failure& failure = check.failures.front();
+    session.screen.line("",
+                        check.state == CheckState::failed ? round_numbers(failure.values) : failure.values);
+    if (!failure.notes.empty()) session.screen.line("", failure.notes.back());
 }
 
-/// Prints only the first error, with the task and the first hint of the function that contains it.
-void print_compile_error(const Project& project, const std::string& step, const BuildResult& built,
-                         Findings& findings, std::ostream& out) {
-    if (!built.error)
-        throw Error("the build failed (exit code " + std::to_string(built.code) +
-                    "), but no source file has an error; run ./learn check again, which repairs "
-                    "broken build files. The build's output: " +
-                    built.log);
-    const std::string place = display_path(built.error->file, built.error->line);
-    out << "Your code does not compile yet. The first error:\n\n  " << place << "\n    "
-        << printable(built.error->message) << "\n\n";
-    findings.picture = no_picture("your code does not compile yet");
-    findings.picture.lines = {place + ": " + built.error->message};
-    findings.next = "./learn check " + number_of(step);
-    const Exercise* const exercise = exercise_at(project, findings.exercises, *built.error);
-    if (!exercise) return;
-    const Hints hints = read_hints(project.root, step, findings.exercises);
-    out << "  " << exercise->name << ": " << exercise->task << "\n  " << hints.at(exercise->name)[0]
-        << "\n\n";
-    findings.next = "./learn hint " + number_of(step) + " " + exercise->name;
+void print_checks(const Session& session) {
+    const Findings& findings = session.findings;
+    const std::size_t failed = failures(findings.checks);
+    const std::string others = findings.complete ? "" : "; the step's other checks run when these pass";
+    session.screen.line("checks", passed_text(findings.checks) + others + seconds_text(findings),
+                        failed == 0 ? Colour::green : Colour::red);
+    std::size_t printed = 0;
+    for (const CheckResult& check : findings.checks)
+        if (has_failed(check) && printed++ < 2) print_failure(session, check);
+    if (printed > 2)
+        session.screen.line("", "... and " + std::to_string(printed - 2) + " more, in the report");
 }
 
-/// Runs one file of checks. If all of them pass, the results are stored and reused until the program changes.
-std::vector<CheckResult> run_file(const CheckOptions& options, const std::string& file,
-                                  const fs::path& scratch) {
-    const fs::path program = options.build / "bin" / ("test_" + file), log = scratch / "checks.txt",
-                   kept = options.build / ("results_" + file + ".txt");
-    std::error_code ignored;
-    const fs::file_time_type made = fs::last_write_time(program, ignored);
-    if (fs::last_write_time(kept, ignored) > made) return parse_results(read_file(kept.string()));
-    std::vector<CheckResult> checks = run_all_checks(program, log);
-    if (failures(checks) == 0 && fs::last_write_time(program, ignored) == made)
-        fs::rename(log, kept, ignored);
-    return checks;
-}
-
-/// Returns the files of checks without the slow ones.
-Words quick_files(const Project& project, const std::string& step) {
-    Words files = check_files(project.root, step);
-    std::erase_if(files, is_slow);
-    return files;
-}
-
-/// Runs the checks of the earlier steps, which use the learner's files of those steps.
-void run_earlier(const Project& project, const CheckOptions& options, Findings& findings) {
-    for (const std::string& step : all_steps(project)) {
-        if (step >= options.step) break;
-        std::vector<CheckResult> checks;
-        for (const std::string& file : quick_files(project, step))
-            std::ranges::move(run_file(options, file, findings.scratch), std::back_inserter(checks));
-        findings.earlier.push_back(step + ": " + passed_text(checks) + " pass");
-        findings.earlier_hold = findings.earlier_hold && failures(checks) == 0;
-    }
-}
-
-/// Returns whether the checks belong to a header in which the learner has not written anything yet.
-bool belongs_to_untouched(const std::string& step, const std::string& file, const Findings& findings) {
-    bool any = false;
-    for (const Exercise& exercise : findings.exercises) {
-        if (check_file_of(step, exercise.file) != file) continue;
-        any = true;
-        if (std::ranges::find(findings.untouched, exercise.name) == findings.untouched.end()) return false;
-    }
-    return any;
-}
-
-/// Returns the functions in which an endless check may hang: of the written functions of its header, those
-/// with a loop or a recursion; if there are none, all of them.
-Words suspects(const Project& project, const std::string& step, const Findings& findings) {
+/// The functions in which an endless check may hang: those with a loop or a recursion, or else all that are written.
+Words suspects(const Session& session) {
     Words all, loops;
-    for (const Exercise& exercise : findings.exercises) {
-        const std::string path = (project.workshop / step / exercise.file).string();
-        const auto& untouched = findings.untouched;
-        const bool written = std::ranges::find(untouched, exercise.name) == untouched.end();
-        const std::string program = "test_" + check_file_of(step, exercise.file);
-        std::error_code ignored;
-        if (!written || findings.diagnosis.endless->failures.front().place != program) continue;
-        if (!fs::is_regular_file(path, ignored)) continue;
-        all.push_back(exercise.name + " (" + display_path(path, line_of(exercise, read_file(path))) + ")");
-        if (may_not_end(exercise, read_file(path))) loops.push_back(all.back());
+    for (const std::string& name : names_in(session.findings, GapState::written)) {
+        const Gap& gap = gap_named(session.findings, name);
+        all.push_back(name + " (" + gap.place + ")");
+        const fs::path own = session.project.workshop / session.step() / gap.exercise.file;
+        if (may_not_end(gap.exercise, read_file(own.string()))) loops.push_back(all.back());
     }
     return loops.empty() ? all : loops;
 }
 
-/// Finds the likely mistake from the results of the checks. A wrong picture is also compared with the
-/// pictures of the known mistakes.
-void find_mistake(const Project& project, const CheckOptions& options, Findings& findings) {
-    std::vector<std::vector<CheckResult>> written;
-    for (const CheckedFile& file : findings.files)
-        if (!belongs_to_untouched(options.step, file.name, findings)) written.push_back(file.results);
-    findings.diagnosis = diagnose(read_signatures(project.root, options.step), written);
-    if (findings.diagnosis.endless) findings.diagnosis.suspects = suspects(project, options.step, findings);
-    const bool begun = findings.untouched.size() < findings.exercises.size();
-    if (begun && findings.picture.comparison && !findings.picture.holds)
-        findings.similar_mistakes =
-            similar_mistakes(project.root, options.step, options.build, findings.scratch);
-    for (const Mistake& mistake : read_catalogue(project.root, options.step)) {
-        if (!findings.diagnosis.ids.empty() && mistake.id == findings.diagnosis.ids.front())
-            findings.mistake = mistake;
-        if (std::ranges::find(findings.similar_mistakes, mistake.id) != findings.similar_mistakes.end())
-            findings.picture.lines.push_back("looks like a known mistake: " + mistake.title);
+/// Prints what is known about each function that is wrong.
+void print_mistakes(const Session& session) {
+    Findings& findings = session.findings;
+    const std::vector<Mistake> catalogue = read_catalogue(session.project.root, session.step());
+    for (RedFunction& red : findings.red) {
+        if (red.diagnosis.endless)
+            red.diagnosis.suspects = {red.name + " (" + gap_named(findings, red.name).place + ")"};
+        std::string text = explanation(red.diagnosis, catalogue);
+        if (red.diagnosis.ids.empty() && !red.diagnosis.endless)
+            text = "something in " + red.name + "; none of the known mistakes gives these values";
+        if (findings.red.size() > 1 && !red.diagnosis.ids.empty())
+            text = red.name + ": " + text + "This explains " + std::to_string(red.failing) +
+                   " of the failing checks.";
+        session.screen.line("mistake", text, Colour::yellow);
+        for (const Mistake& mistake : catalogue)
+            if (!findings.mistake && !red.diagnosis.ids.empty() && mistake.id == red.diagnosis.ids.front()) {
+                findings.mistake = mistake;
+                findings.confidence = name_of(red.diagnosis.confidence);
+            }
+    }
+    const bool named = findings.mistake.has_value();
+    for (const Mistake& mistake : catalogue)
+        if (!named && findings.similar_mistakes == Words{mistake.id})
+            session.screen.line("mistake", "the picture looks like a known mistake: " + mistake.title,
+                                Colour::yellow);
+    if (findings.red.empty() && failures(findings.checks) > 0) {
+        const bool earlier =
+            std::ranges::any_of(findings.earlier, [](const EarlierStep& e) { return e.failed > 0; });
+        const auto endless = std::ranges::find(findings.checks, CheckState::endless, &CheckResult::state);
+        session.screen.line("mistake",
+                            earlier ? "in an earlier step, whose functions this one uses"
+                            : endless != findings.checks.end()
+                                ? "a check does not end. Look for a loop or a recursion in " +
+                                      joined(suspects(session), ", ")
+                                : "each function is right alone, but not together with your others",
+                            Colour::yellow);
     }
 }
 
-bool all_hold(const Findings& findings) {
-    return failures(findings.checks) == 0 && findings.earlier_hold && findings.picture.holds;
+void print_earlier(const Session& session) {
+    Words right;
+    for (const EarlierStep& earlier : session.findings.earlier) {
+        if (earlier.failed == 0)
+            right.push_back(number_of(earlier.step));
+        else
+            session.screen.line("earlier",
+                                earlier.step + ": " + std::to_string(earlier.failed) +
+                                    " checks fail, first: " + earlier.first,
+                                Colour::red);
+    }
+    if (!right.empty())
+        session.screen.line("earlier", "your files of " + joined(right, ", ") + " pass their checks",
+                            Colour::green);
 }
+
+// --- what to do next --------------------------------------------------------------------------------------------
 
 std::string next_step_after(const Project& project, const std::string& step) {
     const Words steps = all_steps(project);
@@ -210,208 +376,197 @@ std::string next_step_after(const Project& project, const std::string& step) {
     return place + 1 < steps.end() ? *(place + 1) : "";
 }
 
-std::string next_command(const Project& project, const std::string& step, const Findings& findings) {
-    const std::string number = number_of(step);
-    if (own_files(project, step).empty()) return "./learn start " + number;
-    if (!findings.untouched.empty()) return "./learn hint " + number + " " + findings.untouched.front();
-    if (failures(findings.checks) > 0 || !findings.picture.holds) return "./learn hint " + number;
-    if (!findings.earlier_hold) return "./learn status";
-    const std::string following = next_step_after(project, step);
-    return following.empty() ? "./learn run " + number : "./learn start " + number_of(following);
+bool all_hold(const Findings& findings) {
+    return failures(findings.checks) == 0 && findings.picture.holds &&
+           names_in(findings, GapState::unwritten).empty() &&
+           std::ranges::none_of(findings.earlier,
+                                [](const EarlierStep& earlier) { return earlier.failed > 0; });
 }
 
-// --- the terminal output ----------------------------------------------------------------------------------------
-
-void print_failure(const CheckResult& check, std::ostream& out) {
-    out << "  failed  " << printable(check.name) << "\n";
-    if (check.failures.empty()) return;
-    const Failure& failure = check.failures.front();
-    out << "            " << printable(failure.values) << "\n";
-    if (!failure.notes.empty()) out << "            " << printable(failure.notes.front()) << "\n";
+std::string next_command(const Session& session) {
+    const Findings& findings = session.findings;
+    const std::string number = number_of(session.step());
+    for (const EarlierStep& earlier : findings.earlier)
+        if (earlier.failed > 0) return "./learn check " + number_of(earlier.step);
+    if (own_files(session.project, session.step()).empty()) return "./learn start " + number;
+    if (!findings.red.empty()) return "./learn hint " + number + " " + findings.red.front().name;
+    const Words written = names_in(findings, GapState::written);
+    if (failures(findings.checks) > 0 || !findings.picture.holds)
+        return "./learn hint " + number + (written.size() == 1 ? " " + written[0] : "");
+    const Words unwritten = names_in(findings, GapState::unwritten);
+    if (!unwritten.empty()) return "./learn hint " + number + " " + unwritten.front();
+    const std::string following = next_step_after(session.project, session.step());
+    return following.empty() ? "./learn run" : "./learn start " + number_of(following);
 }
 
-void print_checks(const Project& project, const std::string& step, const Findings& findings,
-                  std::ostream& out) {
-    out << "checks    " << passed_text(findings.checks) << " pass";
-    const std::size_t gaps = findings.untouched.size();
-    if (gaps > 0)
-        out << "; " << gaps << " of " << findings.exercises.size() << " functions are not written yet"
-            << (gaps == findings.exercises.size() ? ", so checks are expected to fail" : "");
-    out << "\n";
-    int printed = 0;
-    for (const CheckResult& check : findings.checks)
-        if (has_failed(check) && printed++ < 3) print_failure(check, out);
-    if (printed > 3) out << "  failed  " << printed - 3 << " more checks; the report lists them\n";
-    if (own_files(project, step).empty())
-        out << "          You have no files in workshop/" << step << ", so this checked the reference.\n";
-}
-
-/// Prints the likely mistake; nothing as long as no function has been written.
-void print_mistake(const Project& project, const std::string& step, const Findings& findings,
-                   std::ostream& out) {
-    if (findings.untouched.size() == findings.exercises.size()) return;
-    std::istringstream lines(explanation(findings.diagnosis, read_catalogue(project.root, step)));
-    std::string margin = "mistake   ";
-    for (std::string line; std::getline(lines, line); margin = std::string(10, ' '))
-        out << margin << line << "\n";
-}
-
-// --- the report -------------------------------------------------------------------------------------------------
-
-Json check_json(const CheckResult& check) {
-    const bool ended = check.state == CheckState::ok || check.state == CheckState::failed ||
-                       check.state == CheckState::skipped;
-    Words lines;
-    for (const Failure& failure : check.failures) {
-        lines.push_back(failure.expression + ": " + failure.values);
-        append(lines, failure.notes);
+void print_next(const Session& session) {
+    const Findings& findings = session.findings;
+    const Words unwritten = names_in(findings, GapState::unwritten);
+    const bool continues = findings.red.empty() && failures(findings.checks) == 0 && findings.picture.holds;
+    std::string text = findings.next;
+    if (continues && !unwritten.empty() && text.find(" hint ") != text.npos) {
+        const Gap& gap = gap_named(findings, unwritten.front());
+        text = "write " + gap.exercise.name + " in " + gap.place + ": " + gap.exercise.task + "\n" + text;
     }
-    return {{"name", check.name},
-            {"state", !ended                          ? "unfinished"
-                      : check.state == CheckState::ok ? "ok"
-                      : has_failed(check)             ? "failed"
-                                                      : "skipped"},
-            {"seconds", check.seconds},
-            {"lines", lines}};
+    session.screen.line("next", text, Colour::bold);
 }
 
-Json mistake_json(const Project& project, const Findings& findings) {
-    if (!findings.mistake) return nullptr;
-    const Mistake& mistake = *findings.mistake;
-    return {{"title", mistake.title},
-            {"confidence", name_of(findings.diagnosis.confidence)},
-            {"shows", mistake.shows},
-            {"why", mistake.why},
-            {"fix", mistake.fix},
-            {"picture", gallery_picture(project.root, mistake.step, mistake.id).string()}};
+void print_done(const Session& session) {
+    if (!all_hold(session.findings) || own_files(session.project, session.step()).empty()) return;
+    const bool last = next_step_after(session.project, session.step()).empty();
+    session.screen.line("", last ? "Step " + number_of(session.step()) +
+                                       " is done: you have written a path tracer."
+                                 : "Step " + number_of(session.step()) + " is done.");
 }
 
-fs::path write_report(const Project& project, const CheckOptions& options, const Findings& findings) {
-    const PictureFinding& picture = findings.picture;
-    Json report{{"step", options.step},
-                {"question", question_of(project, options.step)},
-                {"own_files", Json::array()},
-                {"checks", Json::array()},
-                {"earlier", findings.earlier},
-                {"verdict", picture.comparison ? picture.verdict : picture.reason},
-                {"verdict_lines", picture.lines},
-                {"flip_mean", picture.comparison ? picture.comparison->flip.mean : 0},
-                {"flip_max", picture.comparison ? picture.comparison->flip.max : 0},
-                {"tiles_over_4", nullptr},
-                {"mistake", mistake_json(project, findings)},
-                {"next", findings.next},
-                {"settings", picture.settings},
-                {"pictures",
-                 {{"mine", picture.mine.string()},
-                  {"reference", picture.reference.string()},
-                  {"map", picture.map.string()}}}};
-    for (const std::string& file : own_files(project, options.step))
-        report["own_files"].push_back(options.step + "/" + file);
-    for (const CheckResult& check : findings.checks) report["checks"].push_back(check_json(check));
-    if (picture.comparison && picture.comparison->tiles)
-        report["tiles_over_4"] = picture.comparison->tiles->outliers;
-    const fs::path folder = project.workshop / "report", path = folder / (options.step + ".html");
-    make_folder(folder);
-    write_file(path.string(), report_html(project.root, report));
-    return path;
-}
-
-/// Returns the most recently saved of the learner's headers that have their own checks, or else the first
-/// such header of the step.
-std::string saved_last(const Project& project, const std::string& step) {
-    std::string last;
-    fs::file_time_type when = fs::file_time_type::min();
-    for (const Exercise& exercise : exercises_of(project, step)) {
-        std::error_code missing, ignored;
-        const fs::path own = project.workshop / step / exercise.file;
-        const fs::file_time_type saved = fs::last_write_time(own, missing);
-        const bool has_checks =
-            fs::exists(project.root / check_source(step, check_file_of(step, exercise.file)), ignored);
-        if (!has_checks || (!missing && saved < when) || (missing && !last.empty())) continue;
-        last = exercise.file;
-        if (!missing) when = saved;
+/// Says what the learner may have overlooked.
+void print_notes(const Session& session) {
+    const std::string folder = display_path(session.project.workshop / session.step());
+    for (const fs::path& entry : entries_of(session.project.workshop / session.step())) {
+        const std::string file = entry.filename().string();
+        std::error_code ignored;
+        if (file.starts_with('.') || file.ends_with('~') || entry.extension() == ".h") continue;
+        session.screen.line("note", folder + "/" + file + " is not used: only headers of the step are",
+                            Colour::yellow);
     }
-    return last;
+    const auto checks = read_checks(session.project);
+    const auto last = checks.find(session.step());
+    if (last != checks.end() && last->second.fingerprint == fingerprint(session.project, session.step()))
+        session.screen.line("note", "no file has changed since the last check", Colour::grey);
 }
 
-/// Prints what the learner waits for as soon as possible: the checks of the saved file, then the picture.
-BuildResult check_saved_file(const Project& project, const CheckOptions& options, Findings& findings,
-                             std::ostream& out) {
-    const std::string file = saved_last(project, options.step), checks = check_file_of(options.step, file);
-    Words targets{"test_" + checks};
-    if (options.picture) targets.push_back(options.step);
-    const fs::path log = findings.scratch / "built.txt";
-    const BuildResult built = build_targets(options.build, targets, log, "/workshop/", [&] {
-        const std::vector<CheckResult> results = run_file(options, checks, findings.scratch);
-        out << "file      " << file << ": " << passed_text(results) << " pass (" << seconds_since(findings)
-            << " s)\n"
-            << std::flush;
+/// The exercise that contains the line of a compile error in the learner's file.
+const Gap* gap_at(const Findings& findings, const CompileError& error) {
+    const Gap* nearest = nullptr;
+    for (const Gap& gap : findings.gaps) {
+        const std::size_t colon = gap.place.rfind(':');
+        if (colon == gap.place.npos || !error.file.ends_with(gap.place.substr(0, colon))) continue;
+        const int line = std::atoi(gap.place.c_str() + colon + 1);
+        if (line <= error.line + 3) nearest = &gap; // an error may be reported before the gap
+    }
+    return nearest;
+}
+
+void print_compile_error(const Session& session, const std::string& log) {
+    Findings& findings = session.findings;
+    const auto help = compile_help(log, "workshop/");
+    if (!help) throw Error("the compiler failed without an error in a source file; it says: " + log);
+    const std::string place = help->error.file + ":" + std::to_string(help->error.line);
+    session.screen.line("error", place + ": " + help->error.message, Colour::red);
+    for (const std::string& line : help->source) session.screen.code(line);
+    if (!help->remedy.empty()) session.screen.line("", help->remedy);
+    findings.picture = no_picture("your code does not compile yet");
+    findings.picture.lines = {place + ": " + help->error.message};
+    const Gap* const gap = gap_at(findings, help->error);
+    if (gap != nullptr) session.screen.line("", "in " + gap->exercise.name + ": " + gap->exercise.task);
+    findings.next = "correct this line, save, and run ./learn check " + number_of(session.step());
+    session.screen.line("next", findings.next, Colour::bold);
+}
+
+/// Runs what the learner waits for first: the checks of the file that was saved last, and the picture beside them.
+void check_saved_file(const Session& session, const Headers& headers) {
+    Findings& findings = session.findings;
+    const std::string last = saved_last(session.project, session.step());
+    const std::string source = check_source(session.step(), check_file_of(session.step(), last));
+    std::error_code ignored;
+    const bool has_checks = !last.empty() && fs::exists(session.project.root / source, ignored);
+    in_parallel(2, 2, [&](std::size_t task) {
+        if (task == 1 && session.options.picture) check_picture(session);
+        if (task != 0 || !has_checks) return;
+        findings.files = {
+            {source, checked(session.tools, session.change("filled", headers), source).results}};
+        const std::vector<CheckResult>& results = findings.files[0].results;
+        session.screen.line("saved", last + ", its checks: " + passed_text(results) + seconds_text(findings),
+                            failures(results) == 0 ? Colour::green : Colour::red);
     });
-    if (!built.succeeded || !options.picture) return built;
-    findings.picture =
-        render_and_compare(project.root, options.step, options.build, findings.scratch, Samples::few);
-    out << (findings.picture.complete ? "picture   " : "preview   ") << findings.picture.lines.front() << " ("
-        << seconds_since(findings) << " s)\n"
-        << std::flush;
-    return built;
+    if (session.options.picture) print_picture(session);
 }
 
-/// Builds the step's other checks and those of the earlier steps, as far as they are out of date.
-BuildResult build_others(const Project& project, const CheckOptions& options, Findings& findings,
-                         std::ostream& out) {
-    Words targets;
-    for (const std::string& step : all_steps(project))
-        if (step <= options.step)
-            for (const std::string& file : quick_files(project, step)) targets.push_back("test_" + file);
-    const BuildResult built =
-        build_targets(options.build, targets, findings.scratch / "built.txt", "/workshop/");
-    out << "built     the other checks (" << seconds_since(findings) << " s)\n" << std::flush;
-    return built;
+/// Runs the other checks of the step and those of the earlier steps; they wait until those of the saved file pass.
+void check_others(const Session& session, const Headers& headers) {
+    Findings& findings = session.findings;
+    collect_checks(findings);
+    findings.complete = failures(findings.checks) == 0;
+    if (!findings.complete) return;
+    findings.files =
+        run_step(session, session.step(), headers, quick_sources(session.project, session.step()));
+    check_earlier(session, headers);
 }
 
-/// Runs the checks, renders, compares, and prints the results, the likely mistake and the next command.
-void run_and_compare(const Project& project, const CheckOptions& options, Findings& findings,
-                     std::ostream& out) {
-    for (const std::string& file : quick_files(project, options.step)) {
-        findings.files.push_back({file, run_file(options, file, findings.scratch)});
-        std::ranges::copy(findings.files.back().results, std::back_inserter(findings.checks));
-    }
-    print_checks(project, options.step, findings, out);
-    out << std::flush;
-    run_earlier(project, options, findings);
-    for (const std::string& line : findings.earlier) out << "earlier   " << printable(line) << "\n";
-    if (!options.picture)
-        findings.picture = no_picture("not rendered (--no-picture)");
-    else if (!findings.picture.complete)
-        findings.picture =
-            render_and_compare(project.root, options.step, options.build, findings.scratch, Samples::all);
-    find_mistake(project, options, findings);
-    for (const std::string& line : findings.picture.lines) out << "picture   " << printable(line) << "\n";
-    print_mistake(project, options.step, findings, out);
-    findings.next = next_command(project, options.step, findings);
+void check_all(const Session& session) {
+    Findings& findings = session.findings;
+    if (!session.options.picture) findings.picture = no_picture("not rendered (--no-picture)");
+    const Headers headers = filled_headers(session.project, session.step());
+    check_saved_file(session, headers);
+    check_others(session, headers);
+    explain_crashes(session, headers);
+    collect_checks(findings);
+    if (!has_hung(findings)) find_red(session); // one check that hangs is enough to wait for
+    print_functions(session);
+    print_checks(session);
+    print_earlier(session);
+    print_mistakes(session);
+    findings.next = next_command(session);
+    print_done(session);
+    print_next(session);
+}
+
+/// A step that has just been started needs no compiler.
+void greet(const Session& session) {
+    Findings& findings = session.findings;
+    findings.picture = no_picture("nothing is written yet");
+    print_functions(session);
+    findings.next = next_command(session);
+    print_next(session);
+}
+
+/// Builds once what all checks are linked with, and says so, since it takes a while.
+Toolchain ready_toolchain(const Project& project, const CheckOptions& options, Screen& screen) {
+    const Preset preset{project.root, options.build.filename().string()};
+    std::error_code ignored;
+    const fs::path work = options.build / "check";
+    if (!fs::exists(work, ignored))
+        screen.line("once", "building what all checks need: the common library and precompiled headers",
+                    Colour::grey);
+    if (options.build == preset.folder()) make(preset, {"common", "raysteps_accel", "test_main"}, true);
+    make_folder(work);
+    const Toolchain tools = read_toolchain(project.root, options.build, work, Strictness::learner);
+    precompile_headers(tools, options.step);
+    return tools;
 }
 
 } // namespace
 
 int check_step(const Project& project, const CheckOptions& options, std::ostream& out) {
-    const TemporaryFolder scratch(options.build);
+    Screen screen(out, options.colour, options.width);
     Findings findings;
+    findings.gaps = gaps_of(project, options.step);
+    screen.title("Step " + number_of(options.step) + ": " + question_of(project, options.step));
+    const bool started = !own_files(project, options.step).empty();
+    if (!started)
+        screen.line("note",
+                    "You have no files in workshop/" + options.step + ", so this checks the reference.");
+    const bool blank = started && names_in(findings, GapState::written).empty() &&
+                       !names_in(findings, GapState::unwritten).empty();
+    const Toolchain tools = blank ? Toolchain() : ready_toolchain(project, options, screen);
+    const TemporaryFolder scratch(options.build);
     findings.scratch = scratch.path;
-    findings.exercises = exercises_of(project, options.step);
-    findings.untouched = untouched_exercises(project, options.step, findings.exercises);
-    out << "Step " << number_of(options.step) << ": " << question_of(project, options.step) << "\n";
-    BuildResult built = check_saved_file(project, options, findings, out);
-    if (built.succeeded) built = build_others(project, options, findings, out);
-    if (built.succeeded)
-        run_and_compare(project, options, findings, out);
-    else
-        print_compile_error(project, options.step, built, findings, out);
+    const Session session{project, options, tools, screen, findings};
+    print_notes(session);
+    bool compiles = true;
+    try {
+        blank ? greet(session) : check_all(session);
+    } catch (const CompileFailure& failure) {
+        compiles = false;
+        print_compile_error(session, failure.log);
+    }
     const fs::path report = write_report(project, options, findings);
+    const int failed = int(failures(findings.checks));
     write_check(project, options.step,
-                {int(findings.checks.size() - failures(findings.checks)), int(failures(findings.checks)),
-                 findings.picture.verdict, fingerprint(project, options.step)});
-    out << "next      " << findings.next << "\nreport    " << display_path(report) << "\n";
-    return built.succeeded && all_hold(findings) ? 0 : 1;
+                {int(findings.checks.size()) - failed, failed, findings.picture.verdict,
+                 fingerprint(project, options.step)});
+    screen.line("report", display_path(report), Colour::grey);
+    return compiles && !blank && all_hold(findings) ? 0 : 1;
 }
 
 } // namespace rt::tutor

@@ -20,43 +20,45 @@ namespace {
 std::string reason(const ProcessResult& result, int seconds) {
     if (result.timed_out)
         return "stopped after " + std::to_string(seconds) +
-               " s because it did not finish (an endless loop or recursion?)";
-    return result.crash.empty() ? "the program exited with code " + std::to_string(result.code)
-                                : result.crash;
+               " s of processor time: an endless loop or recursion?";
+    return result.crash.empty()
+               ? "ended with exit code " + std::to_string(result.code) + " in the middle of the check"
+               : result.crash;
 }
 
 CheckResult not_run() {
     CheckResult rest;
-    rest.name = "all remaining checks";
-    rest.failures = {
-        {"", "", "not run, because " + std::to_string(most_endless) + " checks did not finish", {}}};
+    rest.name = "all checks after it";
+    rest.state = CheckState::endless;
+    rest.failures = {{"", "", "not run, since the check before them did not end", {}}};
     return rest;
 }
 
 } // namespace
 
-std::vector<CheckResult> run_all_checks(const std::filesystem::path& program,
-                                        const std::filesystem::path& log, int seconds) {
-    const ProcessOptions options{.log = log, .seconds = seconds, .memory = std::uint64_t(8) << 30};
+std::vector<CheckResult> run_all_checks(const fs::path& program, const fs::path& log, int seconds) {
+    const ProcessOptions options{.log = log, .seconds = 300, .memory = std::uint64_t(8) << 30};
     std::vector<CheckResult> all;
     wait_for_program(program);
-    for (int endless = 0;;) {
-        const ProcessResult result = run_process(
-            {program.string(), "--reporters=lines", "--first=" + std::to_string(all.size() + 1)}, options);
+    while (true) {
+        const ProcessResult result =
+            run_process({program.string(), "--reporters=lines", "--first=" + std::to_string(all.size() + 1),
+                         "--seconds-per-check=" + std::to_string(seconds)},
+                        options);
         std::vector<CheckResult> some = parse_results(read_file(log.string()));
-        const bool broken_off = !some.empty() && some.back().state == CheckState::unfinished;
-        if (broken_off) {
-            some.back().failures = {{program.filename().string(), "", reason(result, seconds), {}}};
-            if (result.timed_out) some.back().state = CheckState::endless;
-        }
-        all.insert(all.end(), some.begin(), some.end());
-        if (!broken_off) break;
-        if (result.timed_out && ++endless == most_endless) {
-            all.push_back(not_run());
+        const bool crashed = result.code >= 128; // doctest may still have ended the check
+        if (some.empty() || (!crashed && some.back().state != CheckState::unfinished)) {
+            append(all, some);
             break;
         }
+        some.back().failures = {{program.filename().string(), "", reason(result, seconds), {}}};
+        some.back().state = result.timed_out ? CheckState::endless : CheckState::unfinished;
+        append(all, some);
+        if (!result.timed_out) continue;
+        all.push_back(not_run());
+        break;
     }
-    if (all.empty()) throw Error(program.string() + " ran no checks; build it again");
+    if (all.empty()) throw Error(program.string() + " ran no checks; it may be out of date: build it again");
     return all;
 }
 
@@ -102,63 +104,64 @@ PictureFinding no_picture(const std::string& reason) {
     return finding;
 }
 
-compare::Comparison compare_render(const fs::path& root, const std::string& step, const fs::path& folder) {
-    const fs::path references = root / "assets" / "reference";
-    const std::string picture = step + ".hdr", variance = step + ".variance.hdr";
-    compare::ComparisonInput input{compare::read_encoded((folder / picture).string()),
-                                   compare::read_encoded((references / picture).string())};
-    input.step = std::atoi(step.c_str());
-    if (fs::exists(references / variance))
-        input.variances = {read_image((folder / variance).string()),
-                           read_image((references / variance).string())};
-    return compare::compare_images(input);
+fs::path reference_folder(const fs::path& root) {
+    return root / "assets" / "reference";
 }
 
-PictureFinding render_and_compare(const fs::path& root, const std::string& step, const fs::path& build,
-                                  const fs::path& out, Samples samples) {
-    const fs::path references = root / "assets" / "reference";
-    const fs::path variance = references / (step + ".variance.hdr");
-    Words command{(build / "bin" / step).string(), "--quiet", "--out", (out / step).string()};
-    if (fs::exists(variance))
-        command.insert(command.end(), {"--variance", (out / (step + ".variance.hdr")).string()});
-    const bool preview = samples == Samples::few && fs::exists(variance);
-    for (const std::string& word :
-         with_samples(words_in(reference_fact(root, step, "test flags")), preview ? few_samples : ""))
-        command.push_back(word);
-    const fs::path log = out / "log.txt";
+std::optional<std::string> render(const RenderJob& job) {
+    Words command{job.program.string(), "--quiet", "--out", (job.out / job.step).string()};
+    const bool noisy = fs::exists(reference_folder(job.root) / (job.step + ".variance.hdr"));
+    if (noisy) append(command, {"--variance", (job.out / (job.step + ".variance.hdr")).string()});
+    append(command, with_samples(words_in(reference_fact(job.root, job.step, "test flags")),
+                                 noisy && job.samples == Samples::few ? few_samples : ""));
+    const fs::path log = job.out / "log.txt";
     wait_for_program(command[0]);
     const ProcessResult result = run_process(command, {.log = log, .seconds = seconds_for_a_picture});
     if (result.timed_out)
-        return failed("the program was stopped after " + std::to_string(seconds_for_a_picture) +
-                      " s; is there an endless loop?");
-    if (result.code >= 128) return failed("the program crashed");
-    if (result.code != 0) return failed("the program reports: " + read_file(log.string()));
+        return "the program did not finish within " + std::to_string(seconds_for_a_picture) +
+               " s; is there an endless loop?";
+    if (result.code >= 128) return "the program crashed";
+    if (result.code != 0) return "the program failed: " + read_file(log.string());
+    return std::nullopt;
+}
 
+compare::Comparison compare_render(const RenderJob& job) {
+    const std::string picture = job.step + ".hdr", variance = job.step + ".variance.hdr";
+    compare::ComparisonInput input{compare::read_encoded((job.out / picture).string()),
+                                   compare::read_encoded((job.references / picture).string())};
+    input.step = std::atoi(job.step.c_str());
+    if (fs::exists(job.references / variance))
+        input.variances = {read_image((job.out / variance).string()),
+                           read_image((job.references / variance).string())};
+    return compare::compare_images(input);
+}
+
+PictureFinding render_and_compare(const RenderJob& job) {
+    if (const auto reason = render(job)) return failed(*reason);
     PictureFinding finding;
-    finding.comparison = compare_render(root, step, out);
-    finding.complete = !preview;
+    finding.comparison = compare_render(job);
+    finding.complete =
+        job.samples == Samples::all || !fs::exists(job.references / (job.step + ".variance.hdr"));
     finding.verdict = compare::name_of(finding.comparison->verdict);
     finding.holds = compare::is_same(finding.comparison->verdict);
     finding.lines = summary_lines(*finding.comparison);
-    finding.mine = out / (step + ".png");
-    finding.reference = references / (step + ".png");
-    finding.map = out / (step + ".map.png");
+    finding.mine = job.out / (job.step + ".png");
+    finding.reference = job.references / (job.step + ".png");
+    finding.map = job.out / (job.step + ".map.png");
     write_image(finding.map.string(), compare::error_map(*finding.comparison));
-    finding.settings =
-        reference_fact(root, step, "width") + " x " + reference_fact(root, step, "height") + ", " +
-        (reference_fact(root, step, "test flags").empty() ? "the program's default settings"
-                                                          : reference_fact(root, step, "test flags"));
+    const auto fact = [&](const char* key) { return reference_fact(job.root, job.step, key); };
+    finding.settings = fact("width") + " x " + fact("height") + ", " +
+                       (fact("test flags").empty() ? "the program's own settings" : fact("test flags"));
     return finding;
 }
 
-Words similar_mistakes(const fs::path& root, const std::string& step, const fs::path& build,
-                       const fs::path& out) {
-    const fs::path picture = out / (step + ".small.png");
-    Words command{(build / "bin" / step).string(), "--quiet", "--out", picture.string()};
-    for (const std::string& word : gallery_flags(root, step)) command.push_back(word);
+Words similar_mistakes(const RenderJob& job) {
+    const fs::path picture = job.out / (job.step + ".small.png");
+    Words command{job.program.string(), "--quiet", "--out", picture.string()};
+    append(command, gallery_flags(job.root, job.step));
     const ProcessResult result =
-        run_process(command, {.log = out / "log.txt", .seconds = seconds_for_a_picture});
-    return result.code == 0 ? nearest_mistake(root, step, picture).names : Words();
+        run_process(command, {.log = job.out / "log.txt", .seconds = seconds_for_a_picture});
+    return result.code == 0 ? nearest_mistake(job.root, job.step, picture).names : Words();
 }
 
 } // namespace rt::tutor

@@ -11,17 +11,15 @@
 
 namespace rt::tutor {
 
-/// Time limit of a file of checks, in seconds. The checks of a whole step take at most a fifth of it.
-inline constexpr int seconds_for_checks = 10;
+/// A check that uses more processor time than this many seconds is stopped; each uses a fraction of it. A busy machine
+/// does not count.
+inline constexpr int seconds_per_check = 5;
 
-/// After this many checks that did not finish, the remaining ones are not run, since the learner is waiting.
-inline constexpr int most_endless = 3;
-
-/// Runs all checks of a test executable and restarts it after each check that crashes or hangs; such a
-/// check has one failure, which says why. `log` is a file for the output. Throws Error if the program
-/// cannot be run.
+/// Runs all checks of a test executable and restarts it after each check that crashes; such a check has one failure,
+/// which says why. After a check that does not end the remaining ones are not run, since the learner is waiting. `log`
+/// is a file for the output. Throws Error if the program cannot be run.
 std::vector<CheckResult> run_all_checks(const std::filesystem::path& program,
-                                        const std::filesystem::path& log, int seconds = seconds_for_checks);
+                                        const std::filesystem::path& log, int seconds = seconds_per_check);
 
 struct PictureFinding {
     bool holds = true;
@@ -34,24 +32,37 @@ struct PictureFinding {
     std::string settings;
 };
 
-/// Compares STEP.hdr in `folder` with the step's reference, using STEP.variance.hdr if the step is
-/// noisy. Throws Error.
-compare::Comparison compare_render(const std::filesystem::path& root, const std::string& step,
-                                   const std::filesystem::path& folder);
-
 /// How many samples to render. Few samples give a noisy preview much sooner; since its noise is known, it
 /// still reveals most mistakes.
 enum class Samples { few, all };
 
-/// Renders into `out` with the step's test flags, and compares with the reference. If the program crashes,
-/// hangs or fails, the finding says so. Throws Error if there is no reference.
-PictureFinding render_and_compare(const std::filesystem::path& root, const std::string& step,
-                                  const std::filesystem::path& build, const std::filesystem::path& out,
-                                  Samples samples);
+/// What to render and what to compare it with.
+struct RenderJob {
+    std::filesystem::path root;
+    std::string step;
+    std::filesystem::path program; ///< of the step
+    std::filesystem::path
+        references;            ///< the folder of STEP.hdr, STEP.png and, for a noisy step, STEP.variance.hdr
+    std::filesystem::path out; ///< a folder for the same files of the program
+    Samples samples = Samples::all;
+};
+
+/// Returns the folder of the step's references.
+std::filesystem::path reference_folder(const std::filesystem::path& root);
+
+/// Renders STEP.hdr and the others with the step's test flags. Returns why there is no picture: the program crashed,
+/// hung or failed; or nothing.
+std::optional<std::string> render(const RenderJob& job);
+
+/// Compares what was rendered with the references. Throws Error.
+compare::Comparison compare_render(const RenderJob& job);
+
+/// Renders and compares. If the program crashes, hangs or fails, the finding says so. Throws Error if there is no
+/// reference.
+PictureFinding render_and_compare(const RenderJob& job);
 
 /// Returns the ids of the known mistakes that produce the same picture as the program.
-Words similar_mistakes(const std::filesystem::path& root, const std::string& step,
-                       const std::filesystem::path& build, const std::filesystem::path& out);
+Words similar_mistakes(const RenderJob& job);
 
 PictureFinding no_picture(const std::string& reason);
 

@@ -78,6 +78,8 @@ struct CheckOptions {
     std::string step;
     std::filesystem::path build; ///< a configured build folder with the checks of all steps
     bool picture = true;         ///< false: run only the checks
+    bool colour = false;
+    int width = 100; ///< columns of the terminal
 };
 
 /// Checks a step. Returns the exit code: 0 if everything passes, 1 if not. Writes workshop/.state and

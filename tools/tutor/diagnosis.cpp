@@ -44,6 +44,14 @@ struct Sets {
     }
 };
 
+/// Whether most of the assertions that both have fail with different values.
+bool contradict(const Sets& a, const Sets& b) {
+    const auto shared = [](const std::set<std::string>& x, const std::set<std::string>& y) {
+        return std::ranges::count_if(x, [&](const std::string& each) { return y.contains(each); });
+    };
+    return 2 * shared(a.values, b.values) < shared(a.assertions, b.assertions);
+}
+
 void read_event(const Words& parts, std::vector<CheckResult>& results) {
     const auto part = [&](std::size_t i) { return i < parts.size() ? parts[i] : std::string(); };
     if (parts[0] == "case") results.push_back({part(1), CheckState::unfinished, 0, {}});
@@ -182,37 +190,46 @@ std::vector<SignatureMatch> rank_signatures(const std::vector<Signature>& known,
     std::vector<SignatureMatch> matches;
     for (const Signature& signature : known) {
         const Sets there(signature);
+        const double values = overlap_of(here.values, there.values);
         const double score = 0.3 * overlap_of(here.checks, there.checks) +
-                             0.3 * overlap_of(here.assertions, there.assertions) +
-                             0.4 * overlap_of(here.values, there.values);
-        matches.push_back({signature.id, score});
+                             0.3 * overlap_of(here.assertions, there.assertions) + 0.4 * values;
+        matches.push_back({.id = signature.id,
+                           .score = score,
+                           .values = values,
+                           .contradicts = contradict(here, there),
+                           .is_equal = signature.assertions == seen.assertions});
     }
     std::ranges::stable_sort(matches, std::greater(), &SignatureMatch::score);
     return matches;
 }
 
 Diagnosis diagnose(const std::vector<Signature>& known, const std::vector<std::vector<CheckResult>>& files) {
+    constexpr double least_values = 0.3, least_score = 0.45, likely_score = 0.65;
     Diagnosis diagnosis;
     double best = 0;
+    bool certain = false;
     for (const std::vector<CheckResult>& results : files) {
         const auto failed = std::ranges::find_if(results, has_failed);
         if (failed == results.end()) continue;
         if (diagnosis.first.name.empty()) diagnosis.first = *failed;
         const auto endless = std::ranges::find(results, CheckState::endless, &CheckResult::state);
         if (endless != results.end() && !diagnosis.endless) diagnosis.endless = *endless;
-        const std::vector<SignatureMatch> matches = rank_signatures(known, signature_of("", results));
+        std::vector<SignatureMatch> matches = rank_signatures(known, signature_of("", results));
+        std::erase_if(matches, [](const SignatureMatch& match) {
+            return match.values < least_values || match.contradicts || match.score < least_score;
+        });
         if (matches.empty() || matches[0].score <= best + 1e-9) continue;
         best = matches[0].score;
+        certain = matches[0].is_equal;
         diagnosis.ids.clear();
         for (const SignatureMatch& match : matches)
             if (match.score > best - 1e-9) diagnosis.ids.push_back(match.id);
     }
-    diagnosis.confidence = best > 0.95   ? Confidence::certain
-                           : best > 0.65 ? Confidence::likely
-                           : best > 0.45 ? Confidence::perhaps
-                                         : Confidence::none;
-    if (diagnosis.endless) diagnosis.confidence = Confidence::none;
-    if (diagnosis.confidence == Confidence::none) diagnosis.ids.clear();
+    if (diagnosis.endless || diagnosis.ids.size() > 2) diagnosis.ids.clear();
+    diagnosis.confidence = diagnosis.ids.empty() ? Confidence::none
+                           : certain             ? Confidence::certain
+                           : best > likely_score ? Confidence::likely
+                                                 : Confidence::perhaps;
     return diagnosis;
 }
 

@@ -43,6 +43,8 @@ struct FailedAssertion {
     std::string expression;
     std::string values; ///< from the first failure, with all numbers rounded to four digits
     int times = 1;
+
+    bool operator==(const FailedAssertion&) const = default;
 };
 
 /// The assertions that a mistake makes fail, in the order of the checks.
@@ -64,11 +66,14 @@ std::vector<Signature> parse_signatures(const std::string& text, const std::stri
 /// Returns the signatures in `root`/exercises/NN_name/signatures.txt; empty if there is no such file.
 std::vector<Signature> read_signatures(const std::filesystem::path& root, const std::string& step);
 
-/// How well a known signature fits the observed one, from 0 to 1: a weighted mean of the Jaccard indices of
-/// their checks, assertions and values. It is 1 only if they are equal.
+/// How well a known signature fits the observed one.
 struct SignatureMatch {
     std::string id;
-    double score = 0;
+    double score =
+        0; ///< from 0 to 1: a weighted mean of the Jaccard indices of their checks, assertions and values
+    double values = 0;        ///< the Jaccard index of their values alone
+    bool contradicts = false; ///< most of the assertions that both fail have other values
+    bool is_equal = false;    ///< nothing differs, not even how often an assertion fails
 };
 
 /// Returns all known mistakes, best match first.
@@ -84,9 +89,9 @@ struct Diagnosis {
     Words suspects;                     ///< the functions in which that check may hang, if known
 };
 
-/// Diagnoses the results of all files of checks, in order. The file that fits a known mistake best decides,
-/// whatever fails in others, where functions may be unwritten. If a check does not finish, no mistake is
-/// named, because the results are incomplete.
+/// Diagnoses the results of all files of checks, in order. The file that fits a known mistake best decides. A name needs
+/// agreement of values: at least .3 of them equal, and no contradiction; it is certain only if nothing differs. More than
+/// two names are none. If a check does not finish, no mistake is named, because the results are incomplete.
 Diagnosis diagnose(const std::vector<Signature>& known, const std::vector<std::vector<CheckResult>>& files);
 
 /// Returns "certain", "likely", "possible" or "no known mistake".

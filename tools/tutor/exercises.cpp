@@ -66,16 +66,14 @@ void find_function(Exercise& exercise, const Words& lines, const std::string& pa
     refuse(path, exercise.line, "this region is not inside a function");
 }
 
-/// Returns the text of the function that begins at `line` (from 1), without whitespace and comments.
-std::string bare_function(const Words& lines, std::size_t line) {
-    std::string bare;
-    for (; line <= lines.size(); ++line) {
-        const std::string& text = lines[line - 1];
-        for (const char c : text.substr(0, text.find("//")))
-            if (c != ' ' && c != '\t' && c != '\r') bare += c;
-        if (text.starts_with("}")) break;
+/// Returns whether what begins at this line ends with ; before any {, so that it only declares a function.
+bool is_declaration(const Words& lines, std::size_t line) {
+    for (; line < lines.size(); ++line) {
+        const std::string code = trimmed(lines[line].substr(0, lines[line].find("//")));
+        if (code.find('{') != code.npos) return false;
+        if (code.ends_with(';')) return true;
     }
-    return bare;
+    return true;
 }
 
 /// Returns the headers of steps that a file includes, such as "01_spheres/ray.h".
@@ -216,23 +214,42 @@ int line_of(const Exercise& exercise, const std::string& text) {
     return std::max(function, 1);
 }
 
+std::vector<LineRange> functions_named(const std::string& text, const std::string& name) {
+    const Words lines = lines_of(text);
+    std::vector<LineRange> ranges;
+    for (std::size_t line = 0; line < lines.size(); ++line) {
+        if (function_name(lines[line]) != name || is_declaration(lines, line)) continue;
+        LineRange range{line, line + 1};
+        while (range.end < lines.size() && !lines[range.end - 1].starts_with("}")) ++range.end;
+        ranges.push_back(range);
+        line = range.end - 1;
+    }
+    return ranges;
+}
+
+std::string bare_code(const std::string& text, const LineRange& range) {
+    const Words lines = lines_of(text);
+    std::string bare;
+    for (std::size_t line = range.begin; line < range.end; ++line)
+        for (const char c : lines[line].substr(0, lines[line].find("//")))
+            if (c != ' ' && c != '\t' && c != '\r') bare += c;
+    return bare;
+}
+
 bool is_untouched(const Exercise& exercise, const std::string& text, const std::string& stub) {
-    const Words lines = lines_of(text), stub_lines = lines_of(stub);
-    std::set<std::string> functions;
-    for (std::size_t line = 1; line <= lines.size(); ++line)
-        if (function_name(lines[line - 1]) == exercise.function) functions.insert(bare_function(lines, line));
-    const std::size_t task = std::size_t(line_of(exercise, stub));
-    for (std::size_t line = std::min(task, stub_lines.size()); line > 0; --line)
-        if (function_name(stub_lines[line - 1]) == exercise.function)
-            return functions.contains(bare_function(stub_lines, line));
+    const std::size_t task = std::size_t(line_of(exercise, stub)) - 1;
+    for (const LineRange& cut : functions_named(stub, exercise.function)) {
+        if (task < cut.begin || task >= cut.end) continue;
+        return std::ranges::any_of(functions_named(text, exercise.function), [&](const LineRange& own) {
+            return bare_code(text, own) == bare_code(stub, cut);
+        });
+    }
     return false;
 }
 
 bool may_not_end(const Exercise& exercise, const std::string& text) {
-    const Words lines = lines_of(text);
-    for (std::size_t line = 1; line <= lines.size(); ++line) {
-        if (function_name(lines[line - 1]) != exercise.function) continue;
-        const std::string bare = bare_function(lines, line), call = exercise.function + "(";
+    for (const LineRange& range : functions_named(text, exercise.function)) {
+        const std::string bare = bare_code(text, range), call = exercise.function + "(";
         for (const char* loop : {"while(", "for(", "do{", "goto"})
             if (bare.find(loop) != std::string::npos) return true;
         if (bare.find(call) != bare.rfind(call)) return true;

@@ -45,6 +45,17 @@ std::string without_markers(const std::string& text);
 /// Returns the line of an exercise in a learner's file: that of its TODO, else of its function, else 1.
 int line_of(const Exercise& exercise, const std::string& text);
 
+/// Lines of a text: [begin, end), from 0.
+struct LineRange {
+    std::size_t begin = 0, end = 0;
+};
+
+/// Returns where the functions of that name are defined, each up to the } in column 0.
+std::vector<LineRange> functions_named(const std::string& text, const std::string& name);
+
+/// Returns these lines without whitespace and comments.
+std::string bare_code(const std::string& text, const LineRange& range);
+
 /// Returns whether the exercise's function is still the same as in the stub, ignoring
 /// whitespace and comments.
 bool is_untouched(const Exercise& exercise, const std::string& text, const std::string& stub);

@@ -37,7 +37,9 @@ struct Arguments {
         const std::filesystem::path folder(root);
         return {folder, workshop.empty() ? folder / "workshop" : std::filesystem::path(workshop)};
     }
-    std::string full_step() const { return find_step(project(), step); }
+    std::string full_step() const {
+        return step.empty() ? current_step(project()) : find_step(project(), step);
+    }
     HintMode hint_mode() const {
         if (reset) return HintMode::reset;
         if (all) return HintMode::all;
@@ -61,7 +63,8 @@ CLI::App* add_command(CLI::App& app, const std::string& name, const std::string&
 }
 
 CLI::Option* add_step(CLI::App* command, Arguments& given) {
-    return command->add_option("STEP", given.step, "the step: 3, 03 or 03_mirror");
+    return command->add_option("STEP", given.step,
+                               "the step: 3, 03 or 03_mirror; where it may be left out, the one you are in");
 }
 
 void add_check(CLI::App& app, Arguments& given, const std::string& name, const std::string& help,
@@ -70,9 +73,14 @@ void add_check(CLI::App& app, Arguments& given, const std::string& name, const s
         const Project project = given.project();
         const std::filesystem::path build =
             given.build.empty() ? project.root / "build/release" : std::filesystem::path(given.build);
-        given.code = check(project, {given.full_step(), build, !given.no_picture}, std::cout);
+        const CheckOptions options{.step = given.full_step(),
+                                   .build = build,
+                                   .picture = !given.no_picture,
+                                   .colour = colour_is_welcome(),
+                                   .width = terminal_width()};
+        given.code = check(project, options, std::cout);
     });
-    add_step(command, given)->required();
+    add_step(command, given);
     command->add_flag("--no-picture", given.no_picture, "run only the checks");
     command->add_option("--build", given.build, "the build folder, by default ROOT/build/release");
 }
@@ -82,7 +90,7 @@ void add_hint(CLI::App& app, Arguments& given) {
         app, "hint", "Shows the next of three hints: what to look at, which formula, which line.", [&given] {
             show_hints(given.project(), given.full_step(), given.name, given.hint_mode(), std::cout);
         });
-    add_step(hint, given)->required();
+    add_step(hint, given);
     hint->add_option("FUNCTION", given.name,
                      "such as reflected_ray; without it, lists the functions of the step");
     CLI::Option* const again = hint->add_flag("--again", given.again, "show the last hint again");
@@ -241,7 +249,7 @@ void add_maintenance(CLI::App& app, Arguments& given) {
                 "mistake is named.",
                 [&given](const Words& words) {
                     const Preset preset{given.root};
-                    make(preset, {"prove", "test_main"});
+                    make(preset, {"prove", "test_main", "raysteps_accel"});
                     Words command{preset.program("prove").string(), "--root", given.root, "--build",
                                   preset.folder().string()};
                     wait_for_program(command[0]);

@@ -298,7 +298,8 @@ void try_all(const Toolchain& tools, std::vector<StepProof>& proofs, const Prove
 bool prove(const ProveOptions& options) {
     const auto begin = std::chrono::steady_clock::now();
     if (options.fresh) fs::remove_all(fs::path(options.root) / "build" / "prove");
-    const Toolchain tools = read_toolchain(options.root, options.build);
+    const Toolchain tools = read_toolchain(options.root, options.build,
+                                           fs::path(options.root) / "build" / "prove", Strictness::proof);
     if (!options.json.empty()) check_file_writable(options.json);
     std::vector<StepProof> proofs = plan_all(tools, options);
     try_all(tools, proofs, options);

@@ -50,8 +50,11 @@ void compare(const Project& project, Row& row) {
     row.verdict = "no reference";
     if (!fs::exists(project.root / "assets/reference" / (row.step + ".hdr"), ignored)) return;
     try {
-        const compare::Comparison comparison =
-            compare_render(project.root, row.step, project.root / "renders");
+        const compare::Comparison comparison = compare_render({.root = project.root,
+                                                               .step = row.step,
+                                                               .program = {},
+                                                               .references = reference_folder(project.root),
+                                                               .out = project.root / "renders"});
         row.verdict = compare::is_same(comparison.verdict) ? "matches" : "DIFFERS";
         row.remark = joined(comparison.lines, "\n    ");
     } catch (const Error& error) {

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -52,6 +53,16 @@ void handle_signals();
 
 /// Sets an environment variable for programs that are started from now on.
 void set_environment(const std::string& name, const std::string& value);
+
+/// Returns the width of the terminal in columns, 100 if stdout is none.
+int terminal_width();
+
+/// Thrown by run_process after it has stopped a program because of cancel_if.
+struct Cancelled {};
+
+/// From now on run_process asks `question`, from any thread, while a program runs, and stops it if the answer is yes.
+/// An empty question ends that.
+void cancel_if(std::function<bool()> question);
 
 bool is_terminal(int stream); ///< 0: stdin, 1: stdout
 

@@ -13,6 +13,7 @@
 #include <iostream>
 #include <poll.h>
 #include <sys/file.h>
+#include <sys/ioctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <termios.h>
@@ -27,6 +28,7 @@ namespace {
 
 constexpr int could_not_start = 127;
 volatile std::sig_atomic_t stop_signal = 0;
+std::function<bool()> is_cancelled;
 
 extern "C" void note_stop(int signal) {
     stop_signal = signal;
@@ -78,6 +80,21 @@ void read_output(int pipe, pid_t child, const ProcessOptions& options) {
     close(pipe);
 }
 
+/// Waits for the child; stops it if the question of cancel_if is answered with yes.
+void wait_for(pid_t child, int& status, rusage& used) {
+    while (is_cancelled) {
+        const pid_t ended = wait4(child, &status, WNOHANG, &used);
+        if (ended == child) return;
+        if (is_cancelled()) {
+            kill(child, SIGTERM);
+            while (wait4(child, &status, 0, &used) < 0 && errno == EINTR) pass_on_stop(child);
+            throw Cancelled();
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    while (wait4(child, &status, 0, &used) < 0 && errno == EINTR) pass_on_stop(child);
+}
+
 std::string crash_text(int signal) {
     switch (signal) {
     case SIGSEGV: return "crashed: invalid memory access (an index out of range, or endless recursion?)";
@@ -107,7 +124,7 @@ ProcessResult run_process(const Words& command, const ProcessOptions& options) {
     if (options.output) read_output(ends[0], child, options);
     int status = 0;
     rusage used{};
-    while (wait4(child, &status, 0, &used) < 0 && errno == EINTR) pass_on_stop(child);
+    wait_for(child, status, used);
     if (stop_signal != 0) throw Stop{128 + stop_signal};
     const auto seconds = [](const timeval& time) {
         return double(time.tv_sec) + 1e-6 * double(time.tv_usec);
@@ -139,6 +156,15 @@ void handle_signals() {
         sigaction(signal, nullptr, &before);
         if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr); // nohup sets HUP to ignored
     }
+}
+
+int terminal_width() {
+    winsize size{};
+    return isatty(1) && ioctl(1, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 100;
+}
+
+void cancel_if(std::function<bool()> question) {
+    is_cancelled = std::move(question);
 }
 
 void set_environment(const std::string& name, const std::string& value) {

@@ -15,6 +15,7 @@
 #include <string>
 #include <string_view>
 #include <thread>
+#include <type_traits>
 #include <vector>
 
 namespace rt::tutor {
@@ -66,8 +67,9 @@ inline std::string joined(const Words& words, const std::string& between) {
     return text;
 }
 
-inline void append(Words& words, const Words& more) {
-    words.insert(words.end(), more.begin(), more.end());
+template <typename Element>
+void append(std::vector<Element>& elements, const std::type_identity_t<std::vector<Element>>& more) {
+    elements.insert(elements.end(), more.begin(), more.end());
 }
 
 template <typename Element, typename Value>

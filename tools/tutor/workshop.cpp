@@ -71,6 +71,21 @@ std::string find_step(const Project& project, const std::string& word) {
     throw Error("there is no step " + quoted(word) + "; the steps are " + joined(steps, same_line));
 }
 
+std::string current_step(const Project& project) {
+    const Words steps = all_steps(project);
+    std::string current = steps.front();
+    fs::file_time_type when = fs::file_time_type::min();
+    for (const std::string& step : steps)
+        for (const std::string& file : own_files(project, step)) {
+            std::error_code missing;
+            const fs::file_time_type saved = fs::last_write_time(project.workshop / step / file, missing);
+            if (missing || saved < when) continue;
+            current = step;
+            when = saved;
+        }
+    return current;
+}
+
 std::string question_of(const Project& project, const std::string& step) {
     const std::string path = (steps_folder(project) / step / "main.cpp").string();
     const Words lines = lines_of(read_file(path));

@@ -24,6 +24,9 @@ Words all_steps(const Project& project);
 /// Returns the full name of the step that 3, 03 or 03_mirror means. Throws Error, which lists the steps.
 std::string find_step(const Project& project, const std::string& word);
 
+/// Returns the step in which the learner saved a file last; without files, the first one. Throws Error.
+std::string current_step(const Project& project);
+
 /// Returns "03" for "03_mirror".
 std::string number_of(const std::string& step);
 

@@ -1,0 +1,82 @@
+// Collects the findings of a check as JSON for the report.
+#include "tools/tutor/check_report.h"
+
+#include "common/util/file_bytes.h"
+#include "tools/tutor/report.h"
+
+namespace rt::tutor {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+Json check_json(const CheckResult& check) {
+    const bool ended = check.state == CheckState::ok || check.state == CheckState::failed ||
+                       check.state == CheckState::skipped;
+    Words lines;
+    for (const Failure& failure : check.failures) {
+        lines.push_back(failure.expression + ": " + failure.values);
+        append(lines, failure.notes);
+    }
+    return {{"name", check.name},
+            {"state", !ended                          ? "unfinished"
+                      : check.state == CheckState::ok ? "ok"
+                      : has_failed(check)             ? "failed"
+                                                      : "skipped"},
+            {"seconds", check.seconds},
+            {"lines", lines}};
+}
+
+Json mistake_json(const Project& project, const Findings& findings) {
+    if (!findings.mistake) return nullptr;
+    const Mistake& mistake = *findings.mistake;
+    return {{"title", mistake.title},
+            {"confidence", findings.confidence},
+            {"shows", mistake.shows},
+            {"why", mistake.why},
+            {"fix", mistake.fix},
+            {"picture", gallery_picture(project.root, mistake.step, mistake.id).string()}};
+}
+
+Words earlier_lines(const Findings& findings) {
+    Words lines;
+    for (const EarlierStep& earlier : findings.earlier)
+        lines.push_back(earlier.step + ": " +
+                        part_of(std::size_t(earlier.passed), std::size_t(earlier.passed + earlier.failed)) +
+                        " checks pass");
+    return lines;
+}
+
+} // namespace
+
+fs::path write_report(const Project& project, const CheckOptions& options, const Findings& findings) {
+    const PictureFinding& picture = findings.picture;
+    Json report{{"step", options.step},
+                {"question", question_of(project, options.step)},
+                {"own_files", Json::array()},
+                {"checks", Json::array()},
+                {"earlier", earlier_lines(findings)},
+                {"verdict", picture.comparison ? picture.verdict : picture.reason},
+                {"verdict_lines", picture.lines},
+                {"flip_mean", picture.comparison ? picture.comparison->flip.mean : 0},
+                {"flip_max", picture.comparison ? picture.comparison->flip.max : 0},
+                {"tiles_over_4", nullptr},
+                {"mistake", mistake_json(project, findings)},
+                {"next", findings.next},
+                {"settings", picture.settings},
+                {"pictures",
+                 {{"mine", picture.mine.string()},
+                  {"reference", picture.reference.string()},
+                  {"map", picture.map.string()}}}};
+    for (const std::string& file : own_files(project, options.step))
+        report["own_files"].push_back(options.step + "/" + file);
+    for (const CheckResult& check : findings.checks) report["checks"].push_back(check_json(check));
+    if (picture.comparison && picture.comparison->tiles)
+        report["tiles_over_4"] = picture.comparison->tiles->outliers;
+    const fs::path folder = project.workshop / "report", path = folder / (options.step + ".html");
+    make_folder(folder);
+    write_file(path.string(), report_html(project.root, report));
+    return path;
+}
+
+} // namespace rt::tutor
