@@ -2,6 +2,7 @@
 #include "common/util/report_error.h"
 #include "common/util/error.h"
 #include "common/util/file_bytes.h"
+#include "common/util/json.h"
 #include "tools/tutor/build.h"
 #include "tools/tutor/commands.h"
 #include "tools/tutor/system.h"
@@ -17,9 +18,9 @@ namespace {
 
 struct Benchmark {
     std::string name, target;
-    std::string package;              ///< what it also needs, on Debian
-    Words defaults, quick;            ///< "--flag=value", for a flag that is not given
-    std::string json_flag = "--json"; ///< how its program is told where to write its numbers
+    std::string package;              ///< a Debian package that it also needs, or empty
+    Words defaults, quick;            ///< flags as "--flag=value", unless they are given
+    std::string json_flag = "--json"; ///< names the file for the numbers
 };
 
 const std::vector<Benchmark>& benchmarks() { // in the order of the report
@@ -58,7 +59,7 @@ bool asks_for_help(const Words& flags) {
     return contains(flags, "-h") || contains(flags, "--help");
 }
 
-/// Offers what only benchmarks need: asks on a terminal, and says how elsewhere.
+/// Offers to install what only benchmarks need; without a terminal, prints how to.
 void offer_packages(const fs::path& root, const std::vector<Benchmark>& chosen) {
     Words missing;
     for (const Benchmark& benchmark : chosen) {
@@ -89,7 +90,7 @@ void offer_packages(const fs::path& root, const std::vector<Benchmark>& chosen) 
     if (run_process(setup).code != 0) throw CommandFailed("the packages could not be installed");
 }
 
-/// Leaves out what cannot be built here: a program may lack its package.
+/// Returns those benchmarks that can be built here: the package of a program may be missing.
 std::vector<Benchmark> buildable(const Preset& preset, const std::vector<Benchmark>& chosen) {
     configure(preset, true); // look for the packages again
     const std::string rules = read_file((preset.folder() / "build.ninja").string());
@@ -102,7 +103,7 @@ std::vector<Benchmark> buildable(const Preset& preset, const std::vector<Benchma
     return kept;
 }
 
-/// The defaults, but for flags that are given, and then what is given.
+/// Returns the given flags, after those defaults that they do not set.
 Words with_defaults(const Words& defaults, const Words& given) {
     Words flags;
     for (const std::string& flag : defaults) {
@@ -137,15 +138,12 @@ void run(const Preset& preset, const Benchmark& benchmark, const BenchOptions& o
                             std::to_string(code));
 }
 
-/// {"traversal": {...}, ...}, or the numbers of the one benchmark that was asked for.
+/// Returns {"traversal": {...}, ...}, or the numbers of the one benchmark that was chosen.
 std::string numbers(const std::vector<Benchmark>& chosen, const fs::path& out, bool one) {
-    std::string text;
-    for (const Benchmark& benchmark : chosen) {
-        const std::string json = read_file((out / (benchmark.name + ".json")).string());
-        if (one) return json;
-        text += (text.empty() ? "{" : ", ") + ("\"" + benchmark.name + "\": ") + json;
-    }
-    return text + "}\n";
+    Json all;
+    for (const Benchmark& benchmark : chosen)
+        all[benchmark.name] = Json::parse(read_file((out / (benchmark.name + ".json")).string()));
+    return json::text(one ? all.front() : all, 1) + "\n";
 }
 
 } // namespace
@@ -154,7 +152,7 @@ void run_benchmarks(const Project& project, const BenchOptions& options) {
     if (options.name == "loop") {
         const Preset preset{project.root};
         make(preset, {"tutor", "checks"});
-        replace_process({"bash", (project.root / "tools/bench/loop.sh").string(), project.root.string(),
+        replace_process({"bash", (project.root / "tools/tutor/loop.sh").string(), project.root.string(),
                          preset.folder().string(), options.json});
     }
     std::vector<Benchmark> chosen = find_benchmarks(options.name);
