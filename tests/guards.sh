@@ -30,9 +30,13 @@ guard_common() {
     includes common | grep '"' | grep -v ':"common/' | report "common includes nothing but common"
 }
 
-# 2a: accel includes only common and accel.
+# 2a: accel includes common and accel, but not its own benchmark, which may also use the frame of the other benchmarks.
 guard_accel() {
-    includes accel | grep '"' | grep -vE ':"(common|accel)/' | report "accel includes nothing but common and accel"
+    includes accel | grep '"' | grep -v '^accel/bench/' | grep -vE ':"(common|accel)/' |
+        report "accel includes nothing but common and accel"
+    includes accel | grep ':"accel/bench/' | grep -v '^accel/bench/' | report "accel does not include its benchmark"
+    includes accel | grep '"' | grep '^accel/bench/' | grep -vE ':"(common|accel|tools/bench)/' |
+        report "accel/bench includes nothing but common, accel and tools/bench"
 }
 
 # 2b: the folders of common are ordered: each includes only itself and folders to its left.
@@ -129,12 +133,13 @@ self_test() {
     trap 'rm -rf "$copy"' EXIT
     missed=0
     local ok='// A planted file.\n#pragma once\n' header
-    # Valid files in each folder must not be reported, so that a planted file is the only violation.
-    mkdir -p "$copy/steps/03_mirror" "$copy/common" "$copy/accel" "$copy/tests" "$copy/assets" "$copy/tools"
+    # A blameless file in each room is not reported, so that what is planted next is the only violation.
+    mkdir -p "$copy/steps/03_mirror" "$copy/common" "$copy/accel/bench" "$copy/tests" "$copy/assets" "$copy/tools"
     printf '%b' "$ok#include \"01_spheres/ray.h\"\n#include \"03_mirror/b.h\"\n#include \"common/math/vec.h\"\n#include \"accel/a.h\"\n#include <cmath>\n#include <glm/glm.hpp>\n" \
         >"$copy/steps/03_mirror/a.h"
     printf '%b' "$ok#include \"common/math/vec.h\"\n#include <thread>\n" >"$copy/common/a.h"
     printf '%b' "$ok#include \"common/math/vec.h\"\n#include <immintrin.h>\n" >"$copy/accel/a.h"
+    printf '%b' "$ok#include \"accel/a.h\"\n#include \"tools/bench/numbers.h\"\n" >"$copy/accel/bench/a.h"
     printf '%b' "$ok#include \"03_mirror/a.h\"\n#include <doctest/doctest.h>\n" >"$copy/tests/a.h"
     local blameless
     blameless=$(check "$copy") || { echo "WRONGLY REPORTED: $blameless"; missed=1; }
@@ -148,6 +153,9 @@ self_test() {
     plant "common includes nothing but common" common/math/tree.h "$ok#include \"accel/accel.h\"\n"
     plant "accel includes nothing but common and accel" accel/step.h "$ok#include \"01_spheres/ray.h\"\n"
     plant "accel includes nothing but common and accel" accel/mesh.cpp "// A planted file.\n#include \"assets/mesh.h\"\n"
+    plant "accel includes nothing but common and accel" accel/clock.h "$ok#include \"tools/bench/numbers.h\"\n"
+    plant "accel does not include its benchmark" accel/scene.h "$ok#include \"accel/bench/scenes.h\"\n"
+    plant "accel/bench includes nothing but" accel/bench/step.h "$ok#include \"01_spheres/ray.h\"\n"
     plant "a folder of common includes only" common/render/option.h "$ok#include \"common/cli/options.h\"\n"
     plant "a folder of common includes only" common/util/up.h "$ok#include \"common/image/image.h\"\n"
     plant "a lesson header includes no program/" steps/03_mirror/cli.h "$ok#include \"common/cli/options.h\"\n"

@@ -1,17 +1,15 @@
-// Facts about the benchmark tools: scenes and rays, the arbitration of disagreements, the report.
+// Facts about the benchmarks' own tools: what they trace, which side they call correct, and what the report draws.
 #include "tests/check.h"
 
+#include "01_spheres/camera.h"
+#include "accel/bench/agreement.h"
+#include "accel/bench/scenes.h"
 #include "common/util/error.h"
 #include "common/util/file_bytes.h"
 #include "common/util/json.h"
-#include "tools/bench/agreement.h"
-#include "tools/bench/meshes.h"
-#include "tools/bench/rays.h"
+#include "tools/bench/numbers.h"
 #include "tools/bench/report.h"
-#include "tools/bench/statistics.h"
-#include "tools/bench/threads.h"
 
-#include <atomic>
 #include <cstdlib>
 #include <filesystem>
 #include <regex>
@@ -27,145 +25,134 @@ using namespace rt::bench;
 TEST_CASE("a field of knots has the number of triangles in its name within a tenth") {
     for (const char* name : {"1k", "10k", "30k", "100k"}) {
         CAPTURE(std::string(name));
-        const double want = triangle_count(name), got = double(make_scene(name).mesh.triangles.size());
+        const double want = triangle_count(name), got = double(make_scene(name).triangles.size());
         CHECK(std::abs(got - want) <= 0.1 * want);
     }
     CHECK(triangle_count("2M") == 2'000'000);
     for (const char* wrong : {"", "k", "10", "10x", "cat", "-5k", "100M"}) CHECK(triangle_count(wrong) == 0);
 }
 
-TEST_CASE("the same field is generated on every run") {
-    const Mesh a = make_scene("3k").mesh, b = make_scene("3k").mesh;
-    CHECK(a.positions == b.positions);
+TEST_CASE("the same field comes out on every run") {
+    const BenchScene a = make_scene("3k"), b = make_scene("3k");
+    CHECK(a.vertices == b.vertices);
     CHECK(a.triangles == b.triangles);
 }
 
-TEST_CASE("all triangles face outward: their winding agrees with their vertex normals") {
-    const Mesh mesh = make_scene("10k").mesh;
-    std::size_t turned = 0;
-    for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i)
-        turned += dot(area_normal(vertices(mesh, i)), dvec3(mesh.normals[mesh.triangles[i][0]])) <= 0;
-    CHECK_MESSAGE(turned == 0, turned << " triangles face inward");
-}
-
-TEST_CASE("a room is closed: by brute force every ray that starts inside hits something") {
+TEST_CASE("a room is closed: every ray that starts in it hits something, as brute force shows") {
     for (const char* name : {"cat", "1k"}) {
         CAPTURE(std::string(name));
         const BenchScene scene = make_scene(name);
-        const RaySets sets = make_rays(scene, build_ours(scene.mesh, 1), 48);
-        CHECK(sets.primary.size() == 48 * 48);
-        CHECK(sets.bounce.size() == sets.primary.size());
+        auto rays = make_rays(scene, accel::build_triangle_bvh(scene.mesh()), 48);
+        CHECK(rays["primary"].size() == 48 * 48);
+        CHECK(rays["bounce"].size() == rays["primary"].size());
         std::size_t lost = 0;
-        for (const Ray& ray : sets.bounce)
-            lost += brute_force_closest_hit(scene.mesh, ray).primitive == no_primitive;
+        for (const accel::Ray& ray : rays["bounce"]) lost += !brute_force_closest_hit(scene.mesh(), ray);
         CHECK_MESSAGE(lost == 0, lost << " of the bounce rays leave the room");
+    }
+}
+
+TEST_CASE("bounces leave a surface at angles whose mean cosine is 2/3, and shadow rays end at the light") {
+    const BenchScene scene = make_scene("1k");
+    auto rays = make_rays(scene, accel::build_triangle_bvh(scene.mesh()), 64);
+    double sum = 0;
+    for (std::size_t i = 0; i < rays["bounce"].size(); ++i) {
+        const auto hit = brute_force_closest_hit(scene.mesh(), rays["primary"][i]);
+        const auto [a, b, c] = triangle_at(scene.mesh(), hit->primitive);
+        sum += double(std::abs(dot(rays["bounce"][i].direction, normalize(cross(b - a, c - a)))));
+    }
+    const double count = double(rays["bounce"].size()); // the variance of the cosine is 1/18
+    CHECK(std::abs(sum / count - 2.0 / 3) < 4 * std::sqrt(1 / (18 * count)));
+    for (const accel::Ray& ray : rays["shadow"]) {
+        const vec3 end = ray.origin + ray.direction;
+        const vec3 outside = max(scene.light.min - end, end - scene.light.max);
+        CHECK(std::max({outside.x, outside.y, outside.z}) < 1e-5f);
     }
 }
 
 TEST_CASE("some shadow rays reach the light and some do not") {
     const BenchScene scene = make_scene("1k");
-    const Ours ours = build_ours(scene.mesh, 1);
-    const RaySets sets = make_rays(scene, ours, 64);
+    const accel::TriangleBvh bvh = accel::build_triangle_bvh(scene.mesh());
+    auto rays = make_rays(scene, bvh, 64);
     std::size_t dark = 0;
-    for (const Ray& ray : sets.shadow) dark += any_hit(ours, ray);
-    CHECK(sets.shadow.size() > sets.primary.size() / 4);
-    CHECK(dark > sets.shadow.size() / 10);
-    CHECK(dark < sets.shadow.size() * 9 / 10);
+    for (const accel::Ray& ray : rays["shadow"]) dark += accel::any_hit(bvh, ray);
+    CHECK(rays["shadow"].size() > rays["primary"].size() / 4);
+    CHECK(dark > rays["shadow"].size() / 10);
+    CHECK(dark < rays["shadow"].size() * 9 / 10);
 }
 
 TEST_CASE(
-    "the primary rays of a picture are the rays of its pixels, each once and with neighbours adjacent") {
+    "the primary rays of an image are those of the lesson's camera, each once, neighbours side by side") {
     const BenchScene scene = make_scene("1k");
-    const std::vector<Ray> rays = primary_rays(scene, 32);
-    const Camera camera = make_camera(scene.look_at, 32, 32);
-    CHECK(rays[0].direction == camera_ray(camera, {0.5f, 0.5f}).direction);
-    CHECK(rays[16].direction == camera_ray(camera, {0.5f, 1.5f}).direction);
-    CHECK(rays[256].direction == camera_ray(camera, {16.5f, 0.5f}).direction);
+    const std::vector<accel::Ray> rays = primary_rays(scene, 32);
+    const Camera camera = make_camera({.from = scene.camera, .at = scene.target, .fov = scene.fov}, 32, 32);
+    for (const auto& [i, x, y] : {std::tuple(0, 0.5f, 0.5f), {16, 0.5f, 1.5f}, {256, 16.5f, 0.5f}})
+        CHECK(length(rays[std::size_t(i)].direction - camera_ray(camera, {x, y}).direction) < 1e-6f);
     std::set<std::pair<float, float>> different;
-    for (const Ray& ray : rays) different.insert({ray.direction.x, ray.direction.y});
+    for (const accel::Ray& ray : rays) different.insert({ray.direction.x, ray.direction.y});
     CHECK(different.size() == rays.size());
 }
 
-// ---- tracing ----
-
-TEST_CASE("threads process every index exactly once") {
-    for (const int threads : {1, 2, 5}) {
-        for (const std::size_t size :
-             {std::size_t(0), std::size_t(1), std::size_t(1024), std::size_t(100'001)}) {
-            std::vector<std::atomic<int>> visits(size);
-            const Seconds seconds = run_threads(threads, size, [&](std::size_t begin, std::size_t end) {
-                for (std::size_t i = begin; i < end; ++i) ++visits[i];
-            });
-            std::size_t wrong = 0;
-            for (const auto& count : visits) wrong += count != 1;
-            CHECK(wrong == 0);
-            CHECK(seconds.wall >= 0);
-            CHECK(seconds.cpu >= 0);
-        }
-    }
-}
-
-// ---- arbitration ----
+// ---- which side is correct ----
 
 namespace {
 
 /// Rays in a room, and their correct hits.
 struct KnownHits {
     BenchScene scene = make_scene("1k");
-    std::vector<Ray> rays = primary_rays(scene, 16);
-    std::vector<ClosestHit> truth;
+    std::vector<accel::Ray> rays = primary_rays(scene, 16);
+    Hits truth;
 
     KnownHits() {
-        for (const Ray& ray : rays) truth.push_back(brute_force_closest_hit(scene.mesh, ray));
+        for (const accel::Ray& ray : rays) truth.push_back(brute_force_closest_hit(scene.mesh(), ray));
+    }
+    Agreement compare(const Hits& ours, const Hits& embree, bool shadow) const {
+        return bench::compare(scene.mesh(), rays, ours, embree, shadow, 100);
     }
 };
 
 } // namespace
 
-TEST_CASE("two correct tracers agree") {
+TEST_CASE("two sides that are correct agree") {
     const KnownHits known;
-    const Agreement a = compare(known.scene.mesh, known.rays, known.truth, known.truth, false, 100);
-    CHECK(a.rays == 256);
-    CHECK(disagreements(a) == 0);
-    CHECK(a.judged == 0);
-    CHECK(a.sampled == 100);
-    CHECK(a.sampled_wrong == 0);
+    Agreement counts = known.compare(known.truth, known.truth, false);
+    CHECK(counts["rays"] == 256);
+    CHECK(counts["sampled"] == 100);
+    for (const auto& [name, count] : counts) CHECK((count == 0 || name == "rays" || name == "sampled"));
 }
 
-TEST_CASE("every planted disagreement is counted by type and brute force decides which tracer is right") {
+TEST_CASE("every planted disagreement is counted, by kind, and brute force says which side is correct") {
     const KnownHits known;
-    std::vector<ClosestHit> ours = known.truth, embree = known.truth;
-    ours[1] = {};               // ours misses
-    embree[2] = embree[3] = {}; // Embree misses
-    ours[4].t *= 1.01f;         // ours finds a hit behind the correct one
-    embree[5].t *= 0.99f;       // Embree finds a hit that does not exist
-    ours[6].primitive += 1;     // a neighbour at the same distance is equally good
-    embree[7].t *= 1 + 1e-6f;   // rounding
-    const Agreement a = compare(known.scene.mesh, known.rays, ours, embree, false, 100);
-    CHECK(a.only_embree == 1);
-    CHECK(a.only_ours == 2);
-    CHECK(a.embree_nearer == 2);
-    CHECK(a.ours_nearer == 0);
-    CHECK(a.other_triangle == 1);
-    CHECK(a.judged == 5);
-    CHECK(a.ours_right == 3);
-    CHECK(a.embree_right == 2);
+    Hits ours = known.truth, embree = known.truth;
+    ours[1].reset();   // we miss
+    embree[2].reset(); // Embree misses
+    embree[3].reset();
+    ours[4]->t *= 1.01f;       // we find what is behind
+    embree[5]->t *= 0.99f;     // Embree finds what is not there
+    ours[6]->primitive += 1;   // the neighbour at the same distance is as good
+    embree[7]->t *= 1 + 1e-6f; // rounding
+    Agreement counts = known.compare(ours, embree, false);
+    CHECK(counts["only_embree"] == 1);
+    CHECK(counts["only_ours"] == 2);
+    CHECK(counts["embree_nearer"] == 2);
+    CHECK(counts["ours_nearer"] == 0);
+    CHECK(counts["other_triangle"] == 1);
+    CHECK(counts["judged"] == 5);
+    CHECK(counts["ours_right"] == 3);
+    CHECK(counts["embree_right"] == 2);
 }
 
 TEST_CASE("mistakes of our tracer are found without Embree too") {
     const KnownHits known;
-    const Agreement a =
-        compare(known.scene.mesh, known.rays, std::vector<ClosestHit>(known.rays.size()), {}, false, 100);
-    CHECK(a.sampled_wrong == 100);
+    CHECK(known.compare(Hits(known.rays.size()), {}, false)["sampled_wrong"] == 100);
 }
 
 TEST_CASE("for a shadow ray it only matters whether it hits anything") {
     const KnownHits known;
-    std::vector<ClosestHit> ours = known.truth;
-    for (ClosestHit& hit : ours) hit.t = infinity;
-    CHECK(disagreements(compare(known.scene.mesh, known.rays, ours, known.truth, true, 10)) == 0);
-    ours[9] = {};
-    CHECK(disagreements(compare(known.scene.mesh, known.rays, ours, known.truth, true, 10)) == 1);
+    Hits ours = known.truth;
+    for (auto& hit : ours) hit->t = infinity;
+    CHECK(known.compare(ours, known.truth, true)["judged"] == 0);
+    ours[9].reset();
+    CHECK(known.compare(ours, known.truth, true)["only_embree"] == 1);
 }
 
 // ---- the report ----

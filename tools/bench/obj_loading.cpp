@@ -1,27 +1,22 @@
-// Measures how fast read_obj is, against tinyobjloader alone: both read the same file of a million triangles,
-// in turn. Then the time from files with and without normals to a mesh.
+// Measures how fast read_obj and tinyobjloader alone read the same OBJ file, in turn, and the way to a mesh.
 #include "05_mesh_bvh/mesh.h"
 #include "common/model/obj_file.h"
 #include "common/util/error.h"
 #include "tools/bench/program.h"
-#include "tools/bench/statistics.h"
-#include "tools/bench/threads.h"
 
 #include <tiny_obj_loader.h>
 
-#include <chrono>
-#include <cmath>
-#include <cstdio>
 #include <filesystem>
 
 namespace rt::bench {
+namespace {
 
 namespace fs = std::filesystem;
 
-struct ObjOptions {
+struct Options {
     int triangles = 1000000, rounds = 7, threads = 0;
     bool mesh = true;
-    std::string file, json;
+    std::string file;
 };
 
 void append_line(std::string& text, const char* format, auto... numbers) {
@@ -29,29 +24,25 @@ void append_line(std::string& text, const char* format, auto... numbers) {
     text.append(line, std::size_t(std::snprintf(line, sizeof line, format, numbers...)));
 }
 
-/// An OBJ of a rough ball: every vertex with its texture coordinate and, if wanted, its normal.
+/// Returns an OBJ of a ball: every vertex with its texture coordinate and, if wanted, its normal.
 std::string ball(int triangles, bool normals) {
-    const int rows = std::max(1, int(std::sqrt(triangles / 4.0))),
-              columns = std::max(1, triangles / (2 * rows));
+    const int rows = std::max(1, int(std::sqrt(triangles / 4.0)));
+    const int columns = std::max(1, triangles / (2 * rows)), stride = columns + 1;
     std::string text;
-    for (int row = 0; row <= rows; ++row)
-        for (int column = 0; column <= columns; ++column) {
-            const double u = double(column) / columns, v = double(row) / rows;
-            const double phi = 2 * 3.14159265 * u, theta = 0.1 + 2.9 * v;
-            const double x = std::sin(theta) * std::cos(phi), y = std::cos(theta),
-                         z = -std::sin(theta) * std::sin(phi);
-            const double radius = 1 + 0.01 * std::sin(40 * phi) * std::sin(30 * theta);
-            append_line(text, "v %.6f %.6f %.6f\nvt %.6f %.6f\n", radius * x, radius * y, radius * z, u, v);
-            if (normals) append_line(text, "vn %.6f %.6f %.6f\n", x, y, z);
-        }
-    const char* const format =
+    for (int i = 0; i < (rows + 1) * stride; ++i) {
+        const double u = double(i % stride) / columns, v = double(i / stride) / rows;
+        const double phi = 2 * double(pi) * u, theta = 0.1 + 2.9 * v;
+        const dvec3 n(std::sin(theta) * std::cos(phi), std::cos(theta), -std::sin(theta) * std::sin(phi));
+        append_line(text, "v %.6f %.6f %.6f\nvt %.6f %.6f\n", 2 * n.x, 2 * n.y, 2 * n.z, u, v);
+        if (normals) append_line(text, "vn %.6f %.6f %.6f\n", n.x, n.y, n.z);
+    }
+    const char* const face =
         normals ? "f %1$d/%1$d/%1$d %2$d/%2$d/%2$d %3$d/%3$d/%3$d\n" : "f %1$d/%1$d %2$d/%2$d %3$d/%3$d\n";
-    for (int row = 0; row < rows; ++row)
-        for (int column = 0; column < columns; ++column) {
-            const int a = row * (columns + 1) + column + 1, b = a + columns + 1;
-            append_line(text, format, a, b, a + 1);
-            append_line(text, format, a + 1, b, b + 1);
-        }
+    for (int i = 0; i < rows * columns; ++i) {
+        const int a = i / columns * stride + i % columns + 1, b = a + stride; // OBJ counts from 1
+        append_line(text, face, a, b, a + 1);
+        append_line(text, face, a + 1, b, b + 1);
+    }
     return text;
 }
 
@@ -59,45 +50,35 @@ std::string ball(int triangles, bool normals) {
 struct Rounds {
     std::vector<double> wall, cpu;
 
-    template <typename Action>
-    void time(const Action& action) {
-        const auto start = std::chrono::steady_clock::now();
-        const double cpu_start = cpu_seconds(CLOCK_PROCESS_CPUTIME_ID);
+    void time(const auto& action) {
+        const Stopwatch watch;
         [[maybe_unused]] const auto kept = action(); // freed after the clock has stopped
-        wall.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-        cpu.push_back(cpu_seconds(CLOCK_PROCESS_CPUTIME_ID) - cpu_start);
+        wall.push_back(watch.wall());
+        cpu.push_back(watch.cpu());
     }
 };
 
-/// The call that tinyobjloader's manual shows.
-std::pair<tinyobj::attrib_t, std::vector<tinyobj::shape_t>> read_by_tinyobj(const std::string& path) {
-    std::pair<tinyobj::attrib_t, std::vector<tinyobj::shape_t>> model;
-    std::vector<tinyobj::material_t> materials;
-    std::string warnings, errors;
-    const std::string folder = fs::path(path).parent_path().string();
-    if (!tinyobj::LoadObj(&model.first, &model.second, &materials, &warnings, &errors, path.c_str(),
-                          folder.c_str()))
-        throw Error(path + ": tinyobjloader says " + errors);
-    return model;
-}
-
 /// Reads a file in turn by read_obj and by tinyobjloader, and makes it a mesh.
-Json measure(const std::string& path, const std::string& name, const ObjOptions& options) {
-    const ObjModel file = read_obj(path);
+Json measure(const std::string& path, const std::string& name, const Options& options) {
+    const ObjModel model = read_obj(path);
     Rounds ours, tinyobj, appending;
     for (int round = 0; round < options.rounds; ++round) {
         ours.time([&] { return read_obj(path, {.threads = options.threads}); });
-        tinyobj.time([&] { return read_by_tinyobj(path); });
+        tinyobj.time([&] {
+            tinyobj::ObjReader reader;
+            if (!reader.ParseFromFile(path)) throw Error(path + ": tinyobjloader reports " + reader.Error());
+            return reader;
+        });
         if (!options.mesh) continue;
         appending.time([&] {
             Mesh mesh;
-            append_model(mesh, file, std::vector<int>(file.materials.size(), 0), 40);
+            append_model(mesh, model, std::vector<int>(model.materials.size(), 0), 40);
             return mesh;
         });
     }
     const double megabytes = double(fs::file_size(path)) / 1e6, seconds = median(ours.wall);
     const Json row{{"file", name},
-                   {"triangles", file.triangles.size()},
+                   {"triangles", model.triangles.size()},
                    {"megabytes", megabytes},
                    {"ours_seconds", seconds},
                    {"tinyobj_seconds", median(tinyobj.wall)},
@@ -109,34 +90,30 @@ Json measure(const std::string& path, const std::string& name, const ObjOptions&
     return row;
 }
 
-void run(const ObjOptions& options) {
-    check_json(options.json);
-    Json rows = Json::array();
-    if (!options.file.empty()) {
-        rows.push_back(measure(options.file, fs::path(options.file).filename().string(), options));
-    } else {
-        fs::create_directories(RT_OUT);
-        for (const bool normals : {true, false}) {
-            const std::string path = std::string(RT_OUT) + (normals ? "/normals.obj" : "/plain.obj");
-            write_file(path, ball(options.triangles, normals));
-            rows.push_back(measure(path, normals ? "with normals" : "without normals", options));
-        }
+Json measure(const Options& options) {
+    if (!options.file.empty())
+        return Json::array({measure(options.file, fs::path(options.file).filename().string(), options)});
+    Json rows;
+    fs::create_directories(RT_OUT);
+    for (const bool normals : {true, false}) {
+        const std::string path = std::string(RT_OUT) + (normals ? "/normals.obj" : "/plain.obj");
+        write_file(path, ball(options.triangles, normals));
+        rows.push_back(measure(path, normals ? "with normals" : "without normals", options));
     }
-    write_json(options.json, {{"obj", rows}});
+    return rows;
 }
 
+} // namespace
 } // namespace rt::bench
 
 int main(int argc, char** argv) {
-    rt::bench::ObjOptions options;
+    using namespace rt::bench;
+    Options options;
     CLI::App app("Times read_obj against tinyobjloader alone.", "bench_obj_loading");
-    app.add_option("--triangles", options.triangles, "of the file that is made")
-        ->check(CLI::Range(2, 20000000));
+    add_number(app, "--triangles", options.triangles, 2, 20'000'000, "of the file that is made");
     app.add_option("--file", options.file, "a file to read instead");
-    app.add_option("--rounds", options.rounds, "the median of this many counts")->check(CLI::Range(1, 1000));
-    app.add_option("--threads", options.threads, "for read_obj; 0: one for each core")
-        ->check(CLI::Range(0, 1024));
-    app.add_flag("--mesh,!--no-mesh", options.mesh, "go on to the mesh");
-    rt::bench::add_json_option(app, options.json);
-    return rt::bench::run_program(app, argc, argv, [&] { rt::bench::run(options); });
+    add_number(app, "--rounds", options.rounds, 1, 1000, "how often each is read; the median counts");
+    add_number(app, "--threads", options.threads, 0, 1024, "for read_obj; 0: one per core");
+    app.add_flag("--mesh,!--no-mesh", options.mesh, "also times the way from the file to a mesh");
+    return run_program(app, argc, argv, [&] { return rt::Json{{"obj", measure(options)}}; });
 }

@@ -1,44 +1,97 @@
-// Forced in front of a step's main.cpp: the program's scene becomes one that tells profiled.cpp what the
-// program is doing. RT_SCENE is the scene.h that the program uses. The program is not changed.
+// Profiles a step's program: this header is forced in front of its main.cpp, which is not changed. Its scene
+// becomes one that notes what the program is doing, and a second thread samples that every 50 microseconds.
+// The program must render with one thread. At its end it prints a line "shares" with the shares of making the
+// scene, building, traversal and shading. RT_SCENE is the scene.h that it uses, RT_STEP its number.
 #pragma once
 
 #include RT_SCENE
 
-#include "tools/bench/phase.h"
-
-#include <concepts>
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cstdio>
 #include <optional>
+#include <thread>
+#include <utility>
 
 namespace rt {
+namespace bench {
 
-/// A Scene in every respect; but being another type, it is passed to the functions below, which fit it
-/// better.
-struct ProfiledScene : Scene {};
+/// The program makes its scene until the first ray; from then on, all that is not traversal is shading.
+enum Phase { making_scene, building, traversing, shading };
 
-/// The plain scene; a template, so that a function that a step lacks is looked up only where it is used.
-template <typename S>
-struct Plain {
-    using type = Scene;
+inline std::atomic<Phase> phase = making_scene;
+
+inline void set_phase(Phase now) {
+    std::atomic_signal_fence(std::memory_order_seq_cst); // the compiler moves no memory access across
+    phase.store(now, std::memory_order_relaxed);
+    std::atomic_signal_fence(std::memory_order_seq_cst);
+}
+
+/// Calls `work` in the phase `during`, and sets the phase to `next` after it.
+auto in_phase(Phase during, Phase next, const auto& work) {
+    set_phase(during);
+    const auto result = work();
+    set_phase(next);
+    return result;
+}
+
+class Profiler {
+  public:
+    ~Profiler() {
+        stop = true;
+        thread.join();
+        double total = 0;
+        for (const double count : counts) total += count;
+        std::printf("shares");
+        for (const double count : counts) std::printf(" %.5f", count / std::max(total, 1.0));
+        std::printf("\n");
+    }
+
+  private:
+    /// Counts shading only when another ray has followed: after the last one, files are written.
+    void sample() {
+        double pending = 0;
+        while (!stop) {
+            std::this_thread::sleep_for(std::chrono::microseconds(50));
+            const Phase now = phase.load(std::memory_order_relaxed);
+            ++(now == shading ? pending : counts[now]);
+            if (now != shading) counts[shading] += std::exchange(pending, 0);
+        }
+    }
+
+    std::array<double, 4> counts{}; ///< by phase
+    std::atomic<bool> stop = false;
+    std::thread thread{[this] { sample(); }};
 };
 
-template <std::same_as<ProfiledScene> S>
-std::optional<Hit> intersect(const S& scene, const Ray& ray) {
-    const bench::PhaseScope traversal(bench::Phase::traversal, bench::Phase::shading);
-    return intersect(static_cast<const typename Plain<S>::type&>(scene), ray);
+inline Profiler profiler;
+
+} // namespace bench
+
+/// A Scene in every respect; but as another type it is passed to the functions below, which fit it better.
+struct ProfiledScene : Scene {};
+
+inline std::optional<Hit> intersect(const ProfiledScene& scene, const Ray& ray) {
+    return bench::in_phase(bench::traversing, bench::shading,
+                           [&] { return intersect(static_cast<const Scene&>(scene), ray); });
 }
 
-template <std::same_as<ProfiledScene> S>
-bool occluded(const S& scene, const Ray& ray) {
-    const bench::PhaseScope traversal(bench::Phase::traversal, bench::Phase::shading);
-    return occluded(static_cast<const typename Plain<S>::type&>(scene), ray);
+#if RT_STEP >= 2
+inline bool occluded(const ProfiledScene& scene, const Ray& ray) {
+    return bench::in_phase(bench::traversing, bench::shading,
+                           [&] { return occluded(static_cast<const Scene&>(scene), ray); });
 }
+#endif
 
-/// Builds the trees, from step 05 on.
-template <std::same_as<ProfiledScene> S>
-void build_bvhs(S& scene) {
-    const bench::PhaseScope build(bench::Phase::build, bench::Phase::scene);
-    build_bvhs(static_cast<typename Plain<S>::type&>(scene));
+#if RT_STEP >= 5
+inline void build_bvhs(ProfiledScene& scene) {
+    bench::set_phase(bench::building);
+    build_bvhs(static_cast<Scene&>(scene));
+    bench::set_phase(bench::making_scene);
 }
+#endif
 
 } // namespace rt
 

@@ -1,23 +1,21 @@
-// bench_report FOLDER: turns the numbers of traversal.json, scaling.json, ... in a folder into report.md and
-// plots.
+// bench_report FOLDER: makes report.md and plots from traversal.json, scaling.json, ... in the folder.
 #include "tools/bench/report.h"
-#include "tools/bench/program.h"
+#include "common/util/file_bytes.h"
+#include "common/util/report_error.h"
 
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iostream>
 #include <thread>
 
 namespace rt::bench {
+namespace {
 
-namespace fs = std::filesystem;
-
-/// What the benchmarks have written, by name.
+/// Returns what the benchmarks have written, by name.
 Json read_numbers() {
     Json all = Json::object();
     for (const std::string name : {"traversal", "scaling", "renders", "convergence", "obj", "kernels"}) {
-        if (!fs::exists(name + ".json")) continue;
+        if (!std::filesystem::exists(name + ".json")) continue;
         try {
             all[name] = Json::parse(read_file(name + ".json"));
         } catch (const Json::exception& problem) {
@@ -36,29 +34,35 @@ std::string machine() {
            " hardware threads, compiled by " RT_COMPILER ".\n\n";
 }
 
-void run(const std::string& folder) {
-    fs::current_path(folder);
-    const bool has_gnuplot = std::system("gnuplot --version >/dev/null 2>&1") == 0;
+bool succeeds(const std::string& command) {
+    return std::system(command.c_str()) == 0;
+}
+
+/// Reads and writes in the working folder.
+void write_report() {
+    const bool has_gnuplot = succeeds("gnuplot --version >/dev/null 2>&1");
     if (!has_gnuplot)
         print_error_line(
             "bench_report: no plots, as there is no gnuplot (Debian: apt-get install gnuplot-nox)");
     const Report report = make_report(read_numbers(), has_gnuplot);
     for (const auto& [name, data] : report.plots) {
         write_file(name + ".txt", data);
-        const std::string files = "' '" + name + ".txt' '" + name + ".svg'";
-        if (std::system(("gnuplot -c '" RT_PLOT + files).c_str()) != 0)
+        if (!succeeds("gnuplot -c '" RT_PLOT "' '" + name + ".txt' '" + name + ".svg'"))
             throw Error("gnuplot does not draw " + name + ".txt");
     }
     write_file("report.md", "# Benchmarks\n\n" + machine() + report.text);
 }
 
+} // namespace
 } // namespace rt::bench
 
 int main(int argc, char** argv) {
-    std::string folder;
-    CLI::App app("Writes report.md and plots from the numbers in a folder.", "bench_report");
-    app.add_option("folder", folder, "where traversal.json and the others are")
-        ->required()
-        ->check(CLI::ExistingDirectory);
-    return rt::bench::run_program(app, argc, argv, [&] { rt::bench::run(folder); });
+    try {
+        if (argc != 2) throw rt::Error("name the folder of traversal.json and the others");
+        std::filesystem::current_path(argv[1]);
+        rt::bench::write_report();
+        return 0;
+    } catch (const std::exception& problem) {
+        return rt::report_error("bench_report", problem.what());
+    }
 }

@@ -2,6 +2,7 @@
 #include "common/util/report_error.h"
 #include "common/util/error.h"
 #include "common/util/file_bytes.h"
+#include "common/util/json.h"
 #include "tools/tutor/build.h"
 #include "tools/tutor/commands.h"
 #include "tools/tutor/system.h"
@@ -142,13 +143,10 @@ void run(const Preset& preset, const Benchmark& benchmark, const BenchOptions& o
 /// Returns the results as JSON: {"traversal": {...}, ...}, or without the outer object if
 /// `one` was requested.
 std::string numbers(const std::vector<Benchmark>& chosen, const fs::path& out, bool one) {
-    std::string text;
-    for (const Benchmark& benchmark : chosen) {
-        const std::string json = read_file((out / (benchmark.name + ".json")).string());
-        if (one) return json;
-        text += (text.empty() ? "{" : ", ") + ("\"" + benchmark.name + "\": ") + json;
-    }
-    return text + "}\n";
+    Json all;
+    for (const Benchmark& benchmark : chosen)
+        all[benchmark.name] = Json::parse(read_file((out / (benchmark.name + ".json")).string()));
+    return json::text(one ? all.front() : all, 1) + "\n";
 }
 
 } // namespace
@@ -157,7 +155,7 @@ void run_benchmarks(const Project& project, const BenchOptions& options) {
     if (options.name == "loop") {
         const Preset preset{project.root};
         make(preset, {"tutor", "checks"});
-        replace_process({"bash", (project.root / "tools/bench/loop.sh").string(), project.root.string(),
+        replace_process({"bash", (project.root / "tools/tutor/loop.sh").string(), project.root.string(),
                          preset.folder().string(), options.json});
     }
     std::vector<Benchmark> chosen = find_benchmarks(options.name);

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# How long a learner waits: from saving a file to the verdict of its checks, and to that of the picture (a preview of it
-# where it is a noisy one). loop.sh ROOT BUILD [JSON]: saves each file with exercises anew and lets ./learn check run.
+# Measures how long a learner waits from saving a file to the result of its checks, and to that of its image (or of a
+# preview of it, if it is noisy). loop.sh ROOT BUILD [JSON]: touches each file with exercises and runs ./learn check.
 set -u
 
 root=$1 build=$2 json=${3-}
@@ -14,7 +14,7 @@ waited() { # $1: the file that is saved; sets $checks and $picture, the seconds 
     begin=$(now)
     while IFS= read -r line; do
         case $line in
-            file*) checks=$(since "$begin") ;;
+            saved*) checks=$(since "$begin") ;;
             picture* | preview*) [ -n "$picture" ] || picture=$(since "$begin") ;;
         esac
     done < <("$build/bin/tutor" --root "$root" --workshop "$build/loop" check "$step" --build "$build" |
@@ -34,7 +34,7 @@ for folder in "$root"/steps/*/; do
     step=$(basename "$folder")
     for file in "$folder"*.h; do
         grep -q '//>' "$file" || continue
-        mkdir -p "$build/loop/$step" # for the tutor, which sees there what was saved; the compiler sees steps/
+        mkdir -p "$build/loop/$step" # the tutor sees there what was saved; the compiler sees steps/
         cp "$file" "$build/loop/$step/"
         waited "$file"
         rm -r "${build:?}/loop/$step"

@@ -1,12 +1,14 @@
-// Rows of numbers for people: as a table in Markdown, or line by line.
+// Numbers of a benchmark: clocks, means, and rows of results as text.
 #pragma once
 
 #include "common/util/json.h"
 
 #include <algorithm>
 #include <cctype>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <limits>
 #include <string>
 #include <vector>
@@ -15,27 +17,61 @@ namespace rt::bench {
 
 inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
+/// Measures seconds since it was made: on the clock, or of processor time, over all threads of the program.
+class Stopwatch {
+  public:
+    double wall() const { return std::chrono::duration<double>(Clock::now() - wall_begin).count(); }
+    double cpu() const { return double(std::clock() - cpu_begin) / CLOCKS_PER_SEC; }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point wall_begin = Clock::now();
+    std::clock_t cpu_begin = std::clock();
+};
+
+/// Returns `unknown` if there are no values.
+inline double median(std::vector<double> values) {
+    if (values.empty()) return unknown;
+    std::ranges::sort(values);
+    const std::size_t half = values.size() / 2;
+    return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
+}
+
+inline double mean(const std::vector<double>& values) {
+    double sum = 0;
+    for (const double value : values) sum += value;
+    return sum / double(values.size());
+}
+
+/// Returns the geometric mean of those values that are numbers above 0; NaN, which is `unknown`, if none is.
+inline double geometric_mean(const std::vector<double>& values) {
+    std::vector<double> logarithms;
+    for (const double value : values)
+        if (value > 0) logarithms.push_back(std::log(value));
+    return std::exp(mean(logarithms));
+}
+
 inline std::string formatted(const char* format, double value) {
     char text[64];
     std::snprintf(text, sizeof text, format, value);
     return text;
 }
 
-/// Texts as they are, numbers with four digits, a dash for null and what is not finite.
+/// Returns texts as they are, numbers with four digits, and a dash for null and what is not finite.
 inline std::string cell(const Json& value) {
     if (value.is_string()) return value.get<std::string>();
     if (value.is_null() || (value.is_number_float() && !std::isfinite(value.get<double>()))) return "-";
     return value.is_number_float() ? formatted("%.4g", value.get<double>()) : json::text(value);
 }
 
-/// The number in a field of an object, or `unknown` if there is none.
+/// Returns the number in a field of an object, or `unknown` if there is none.
 inline double number(const Json& object, const std::string& name) {
-    const auto field = object.find(name);
-    return field != object.end() && field->is_number() ? field->get<double>() : unknown;
+    const Json field = object.value(name, Json());
+    return field.is_number() ? field.get<double>() : unknown;
 }
 
-/// Returns a table of objects; the columns are the fields of the first one, unless given. Columns are padded,
-/// so that the text is legible as it is, and those of numbers are aligned to the right.
+/// Returns a table of objects in Markdown. Its columns are the fields of the first object, unless given. They
+/// are padded, so that the text is legible as it is, and those of numbers are aligned to the right.
 inline std::string table(const Json& list, std::vector<std::string> columns = {}) {
     if (!list.is_array() || list.empty()) return "";
     if (columns.empty())
