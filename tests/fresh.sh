@@ -20,6 +20,13 @@ cat >"$stubs/program" <<'END'
 #!/usr/bin/env bash
 name=$(basename "$0") flag=""
 root=$(cd "$(dirname "$0")/../../.." && pwd)
+if [ "$name" = program ]; then # made by the stub of the compiler
+    root=$(cd "$(dirname "$0")" && until [ -e learn ]; do cd ..; done && pwd)
+    case "$*" in
+        *--reporters=lines*) name=test_ ;;
+        *) name=$(printf '%s\n' "$@" | grep -A1 '^--out' | tail -1) && name=${name##*/} ;;
+    esac
+fi
 write() { # $1: the file, $2: a file to copy, optional
     cat "${2:-/dev/null}" >"$1" || exit 2
     [ -n "${2-}" ] || echo '{"a": 1}' >"$1"
@@ -47,6 +54,15 @@ case $name in
 esac
 END
 
+# The stub of the compiler, which ./learn check runs itself.
+cat >"$stubs/compiler" <<'END'
+#!/usr/bin/env bash
+while [ $# -gt 1 ]; do
+    [ "$1" != -o ] || { rm -f "$2" && cp "$(dirname "$0")/program" "$2"; }
+    shift
+done
+END
+
 cat >"$stubs/cmake" <<'END'
 #!/usr/bin/env bash
 stubs=$(dirname "$0")
@@ -58,6 +74,9 @@ if [ "$1" = --preset ]; then
     [ "${3-}" != -S ] || cd "$4" || exit 1
     mkdir -p "build/$2/Testing/Temporary"
     printf 'CMAKE_HOME_DIRECTORY:INTERNAL=%s\nCMAKE_CXX_COMPILER:FILEPATH=c++\n' "$(pwd -P)" >"build/$2/CMakeCache.txt"
+    mkdir -p "build/$2/prove"
+    printf 'compiler %s\ntest_main %s\nlibrary %s\n' "$stubs/compiler" "$stubs/program" "$stubs/program" \
+        >"build/$2/prove/toolchain.txt"
     printf 'build bench_%s: phony\n' traversal obj_loading renders convergence kernels >"build/$2/build.ninja"
     exit
 fi
@@ -159,7 +178,7 @@ awk 'NR % 2 ? $0 != "begin" : $0 != "end" { exit 1 }' "$SLOW" ||
     { echo "WRONG: two build simultaneously:" && cat "$SLOW" && bad=1; }
 grep -qs "another ./learn is building in this folder; waiting until it is done" "$folder"/said.[12] ||
     { echo "WRONG: a waiting ./learn does not report it" && bad=1; }
-[ "$(grep -l -e 'renders/03_mirror.png' -e 'checks pass' "$folder"/said.[12] | wc -l)" = 2 ] ||
+[ "$(grep -l -e 'renders/03_mirror.png' -e 'of [0-9]* pass' "$folder"/said.[12] | wc -l)" = 2 ] ||
     { echo "WRONG: one of two simultaneous builds fails" && cat "$folder"/said.[12] && bad=1; }
 (cd "$clone" && PATH=$stubs:$PATH exec ./learn run 03 >/dev/null 2>&1) &
 sleep 0.5

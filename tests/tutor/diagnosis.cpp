@@ -123,6 +123,29 @@ TEST_CASE("mistakes that cannot be distinguished are named together") {
     CHECK(diagnose(all, {seen({"a"}, "6 == 4")}).ids == std::vector<std::string>{"one", "two"});
 }
 
+TEST_CASE("more than two names are none") {
+    const std::vector<Signature> all{known("one", {"a"}, "6 == 4"), known("two", {"a"}, "6 == 4"),
+                                     known("three", {"a"}, "6 == 4")};
+    CHECK(diagnose(all, {seen({"a"}, "6 == 4")}).ids.empty());
+}
+
+TEST_CASE("the same checks with other values are no name: a value that differs is a contradiction") {
+    const std::vector<Signature> all{known("far", {"a", "b", "c"}, "6 == 4")};
+    CHECK(diagnose(all, {seen({"a", "b", "c"}, "5 == 4")}).ids.empty());
+    auto mostly = seen({"a", "b", "c"}, "6 == 4");
+    mostly[2].failures[0].values = "5 == 4";
+    CHECK(diagnose(all, {mostly}).ids == std::vector<std::string>{"far"});
+}
+
+TEST_CASE("a name is certain only if each assertion fails as often") {
+    const std::vector<Signature> all{known("far", {"a", "b"}, "6 == 4")};
+    auto twice = seen({"a", "b"}, "6 == 4");
+    twice[1].failures.push_back(twice[1].failures[0]);
+    const Diagnosis diagnosis = diagnose(all, {twice});
+    CHECK(diagnosis.ids == std::vector<std::string>{"far"});
+    CHECK(diagnosis.confidence == Confidence::likely);
+}
+
 TEST_CASE("of several test files the one that matches a known mistake counts whatever fails in the others") {
     const std::vector<Signature> all{known("far", {"a", "b"}, "6 == 4"), known("near", {"c", "d"}, "2 == 4")};
     const Diagnosis diagnosis = diagnose(all, {seen({"c", "x", "y"}, "9 == 4"), seen({"a", "b"}, "6 == 4")});

@@ -37,7 +37,8 @@ CheckResult not_run() {
 } // namespace
 
 std::vector<CheckResult> run_all_checks(const fs::path& program, const fs::path& log, int seconds) {
-    const ProcessOptions options{.log = log, .seconds = 300, .memory = std::uint64_t(8) << 30};
+    const ProcessOptions options{
+        .log = log, .cpu_seconds = 20 * seconds, .seconds = 300, .memory = std::uint64_t(8) << 30};
     std::vector<CheckResult> all;
     wait_for_program(program);
     while (true) {

@@ -1,21 +1,21 @@
 #!/usr/bin/env bash
-# Measures how long a learner waits from saving a file to the result of its checks, and to that of its image (or of a
-# preview of it, if it is noisy). loop.sh ROOT BUILD [JSON]: touches each file with exercises and runs ./learn check.
+# Measures how long a learner waits from saving a file to the result of its checks, and to that of its picture.
+# loop.sh ROOT BUILD [JSON]: runs ./learn check on each file with exercises, without the results of earlier checks.
 set -u
 
 root=$1 build=$2 json=${3-}
 now() { date +%s.%N; }
 since() { awk "BEGIN { printf \"%.1f\", $(now) - $1 }"; }
 
-waited() { # $1: the file that is saved; sets $checks and $picture, the seconds until their lines are there
+waited() { # sets $checks and $picture, the seconds until their lines are there
     local begin line
     checks="" picture=""
-    touch "$1" || exit 1
+    rm -rf "$build/check/cache" && mkdir -p "$build/check/cache" || exit 1
     begin=$(now)
     while IFS= read -r line; do
         case $line in
             saved*) checks=$(since "$begin") ;;
-            picture* | preview*) [ -n "$picture" ] || picture=$(since "$begin") ;;
+            picture*) [ -n "$picture" ] || picture=$(since "$begin") ;;
         esac
     done < <("$build/bin/tutor" --root "$root" --workshop "$build/loop" check "$step" --build "$build" |
         tee "$build/said_loop.txt")
@@ -24,7 +24,7 @@ waited() { # $1: the file that is saved; sets $checks and $picture, the seconds 
     exit 1
 }
 
-"${CMAKE:-cmake}" --build "$build" --target tutor checks >"$build/said_loop.txt" 2>&1 || {
+"${CMAKE:-cmake}" --build "$build" --target tutor test_main raysteps_accel common >"$build/said_loop.txt" 2>&1 || {
     cat "$build/said_loop.txt" >&2
     exit 1
 }
@@ -36,7 +36,7 @@ for folder in "$root"/steps/*/; do
         grep -q '//>' "$file" || continue
         mkdir -p "$build/loop/$step" # the tutor sees there what was saved; the compiler sees steps/
         cp "$file" "$build/loop/$step/"
-        waited "$file"
+        waited
         rm -r "${build:?}/loop/$step"
         printf '%-15s %-14s %10s %13s\n' "$step" "$(basename "$file")" "$checks" "$picture"
         steps="$steps$comma{\"step\": \"$step\", \"file\": \"$(basename "$file")\", \"checks_seconds\": $checks, \"picture_seconds\": $picture}"

@@ -51,11 +51,13 @@ struct Count {
     int stubs = 0, stubs_failing = 0, mistakes = 0, caught = 0, named_first = 0, named_in_group = 0,
         pictures = 0;
     int still_first = 0, differing = 0;
+    int taken_for_another = 0; ///< named as another mistake if their own signature is not known
 
     void add(const Count& other) {
         stubs += other.stubs, stubs_failing += other.stubs_failing, mistakes += other.mistakes;
         caught += other.caught, named_first += other.named_first, named_in_group += other.named_in_group;
         pictures += other.pictures, still_first += other.still_first, differing += other.differing;
+        taken_for_another += other.taken_for_another;
     }
     bool proved() const { return stubs_failing == stubs && caught == mistakes && named_in_group == mistakes; }
 };
@@ -168,6 +170,25 @@ void judge_picture(const Trial& trial, Count& count, StepProof& proof) {
         proof.complaints.push_back(trial.change.id + " changes no pixel, but its 'Shows' says it does");
 }
 
+/// Of each mistake, the mistakes of the same function: the names that ./learn check would consider.
+std::map<std::string, Words> rivals_of(const fs::path& root, const std::string& step) {
+    std::map<std::string, Words> rivals;
+    for (const Exercise& exercise : find_step_exercises(root / "steps", step)) {
+        const Words ids = mistakes_in(root, exercise);
+        for (const std::string& id : ids) rivals[id] = ids;
+    }
+    return rivals;
+}
+
+/// Returns whether the mistake gets the name of another if nobody has recorded its own signature.
+bool is_taken_for_another(const Trial& trial, const std::vector<Signature>& known, const Words& rivals) {
+    std::vector<Signature> others = known;
+    std::erase_if(others, [&](const Signature& signature) {
+        return signature.id == trial.change.id || !contains(rivals, signature.id);
+    });
+    return !diagnose(others, {trial.outcome.results}).ids.empty();
+}
+
 void judge_name(const Trial& trial, const std::vector<Signature>& known, Count& count, StepProof& proof) {
     const Signature seen = signature_of(trial.change.id, trial.outcome.results);
     const Words best = best_matches(known, seen);
@@ -222,8 +243,11 @@ Count judge(const Toolchain& tools, StepProof& proof, bool write) {
     const fs::path right = picture_path(tools, proof.trials[0].change);
     Count count{.step = proof.step};
     judge_reference(proof.trials[0], proof);
+    const std::map<std::string, Words> rivals = rivals_of(tools.root, proof.step);
     for (std::size_t i = 1; i < proof.trials.size(); ++i) {
         Trial& trial = proof.trials[i];
+        if (const auto own = rivals.find(trial.change.id); own != rivals.end())
+            count.taken_for_another += is_taken_for_another(trial, known, own->second);
         trial.differs = trial.picture && differ(right, picture_path(tools, trial.change));
         if (trial.mistake == nullptr)
             judge_stub(trial, count, proof);
@@ -257,6 +281,7 @@ void print_row(const Count& count) {
     std::cout << cell(count.step, -15) << cell(part(count.stubs_failing, count.stubs), 11)
               << cell(part(count.caught, count.mistakes), 10) << cell(number(count.named_first), 13)
               << cell(number(count.named_in_group), 10) << cell(number(count.still_first), 13)
+              << cell(number(count.taken_for_another), 12)
               << cell(count.pictures > 0 ? part(count.differing, count.pictures) : "-", 12) << "\n";
 }
 
@@ -312,7 +337,8 @@ bool prove(const ProveOptions& options) {
         for (const std::string& complaint : proof.complaints)
             std::cout << proof.step << ": " << complaint << "\n";
     }
-    std::cout << "step           stubs fail    caught  named alone  in group   1/3 dropped  wrong picture\n";
+    std::cout << "step           stubs fail    caught  named alone  in group   1/3 dropped   left out  wrong "
+                 "picture\n";
     for (const Count& count : counts) print_row(count);
     print_row(total);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
