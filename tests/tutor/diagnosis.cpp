@@ -134,7 +134,7 @@ TEST_CASE("the same checks with other values are no name: a value that differs i
     CHECK(diagnose(all, {seen({"a", "b", "c"}, "5 == 4")}).ids.empty());
     auto mostly = seen({"a", "b", "c"}, "6 == 4");
     mostly[2].failures[0].values = "5 == 4";
-    CHECK(diagnose(all, {mostly}).ids == std::vector<std::string>{"far"});
+    CHECK(diagnose(all, {mostly}).ids.empty());
 }
 
 TEST_CASE("a name is certain only if each assertion fails as often") {

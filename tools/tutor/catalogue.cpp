@@ -218,8 +218,11 @@ Words mistakes_in(const std::filesystem::path& root, const Exercise& exercise) {
     for (const Mistake& mistake : read_catalogue(root, exercise.step)) {
         if (mistake.file != file) continue;
         const auto changed = std::ranges::mismatch(lines, lines_of(with_mistake(mistake, reference))).in1;
-        const int line = int(changed - lines.begin()) + 1;
-        if (exercise.function_line <= line && line <= exercise.last_line) ids.push_back(mistake.id);
+        const auto line = std::size_t(changed - lines.begin());
+        for (const LineRange& range : functions_named(reference, exercise.function))
+            if (int(range.begin) < exercise.line && exercise.line <= int(range.end) && range.begin <= line &&
+                line < range.end)
+                ids.push_back(mistake.id);
     }
     return ids;
 }

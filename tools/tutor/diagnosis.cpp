@@ -44,12 +44,12 @@ struct Sets {
     }
 };
 
-/// Whether most of the assertions that both have fail with different values.
+/// Whether an assertion that both have fails with different values.
 bool contradict(const Sets& a, const Sets& b) {
     const auto shared = [](const std::set<std::string>& x, const std::set<std::string>& y) {
         return std::ranges::count_if(x, [&](const std::string& each) { return y.contains(each); });
     };
-    return 2 * shared(a.values, b.values) < shared(a.assertions, b.assertions);
+    return shared(a.values, b.values) < shared(a.assertions, b.assertions);
 }
 
 void read_event(const Words& parts, std::vector<CheckResult>& results) {
@@ -204,7 +204,7 @@ std::vector<SignatureMatch> rank_signatures(const std::vector<Signature>& known,
 }
 
 Diagnosis diagnose(const std::vector<Signature>& known, const std::vector<std::vector<CheckResult>>& files) {
-    constexpr double least_values = 0.3, least_score = 0.45, likely_score = 0.65;
+    constexpr double least_values = 0.5, least_score = 0.5, likely_score = 0.65;
     Diagnosis diagnosis;
     double best = 0;
     bool certain = false;

@@ -72,7 +72,7 @@ struct SignatureMatch {
     double score =
         0; ///< from 0 to 1: a weighted mean of the Jaccard indices of their checks, assertions and values
     double values = 0;        ///< the Jaccard index of their values alone
-    bool contradicts = false; ///< most of the assertions that both fail have other values
+    bool contradicts = false; ///< an assertion that both fail has another value
     bool is_equal = false;    ///< nothing differs, not even how often an assertion fails
 };
 
@@ -90,7 +90,7 @@ struct Diagnosis {
 };
 
 /// Diagnoses the results of all files of checks, in order. The file that fits a known mistake best decides. A name needs
-/// agreement of values: at least .3 of them equal, and no contradiction; it is certain only if nothing differs. More than
+/// agreement of values: at least half of them equal, and no contradiction; it is certain only if nothing differs. More than
 /// two names are none. If a check does not finish, no mistake is named, because the results are incomplete.
 Diagnosis diagnose(const std::vector<Signature>& known, const std::vector<std::vector<CheckResult>>& files);
 
