@@ -121,18 +121,15 @@ fs::path expected_folder(const Session& session, const Headers& cut) {
     return folder;
 }
 
-/// Builds the learner's program, as it is, and compares its picture with that of the reference with the same gaps.
-void check_picture(const Session& session) {
-    const Change change = session.change("mine", own_headers(session.project, session.step()));
-    if (const Outcome built = build_step(session.tools, change, session.findings.scratch); !built.compiled)
-        throw CompileFailure{built.log};
+/// Renders with the learner's program and compares with the reference, or with what it makes with the same gaps.
+void render_mine(const Session& session, Samples samples) {
     const Headers cut = cut_headers(session.project, session.step());
     RenderJob job{.root = session.project.root,
                   .step = session.step(),
                   .program = session.findings.scratch / "program",
                   .references = reference_folder(session.project.root),
                   .out = session.findings.scratch / "picture",
-                  .samples = cut.empty() ? Samples::all : Samples::few};
+                  .samples = samples};
     make_folder(job.out);
     if (!cut.empty()) job.references = expected_folder(session, cut);
     PictureFinding& picture = session.findings.picture;
@@ -141,14 +138,24 @@ void check_picture(const Session& session) {
         picture.verdict = "partial"; // the step is not done
         picture.lines = {"the same as the reference makes with the functions that you have written"};
     }
+    if (!cut.empty()) picture.complete = true;
     if (cut.empty() && picture.comparison && !picture.holds)
         session.findings.similar_mistakes = similar_mistakes(job);
 }
 
 void print_picture(const Session& session) {
     const PictureFinding& picture = session.findings.picture;
-    session.screen.line("picture", joined(picture.lines, "\n") + seconds_text(session.findings),
+    session.screen.line(picture.complete ? "picture" : "preview",
+                        joined(picture.lines, "\n") + seconds_text(session.findings),
                         picture.holds ? Colour::green : Colour::red);
+}
+
+/// Builds the learner's program, as it is, and renders; a noisy picture with few samples first.
+void check_picture(const Session& session) {
+    const Change change = session.change("mine", own_headers(session.project, session.step()));
+    if (const Outcome built = build_step(session.tools, change, session.findings.scratch); !built.compiled)
+        throw CompileFailure{built.log};
+    render_mine(session, Samples::few);
 }
 
 // --- the checks -------------------------------------------------------------------------------------------------
@@ -226,7 +233,7 @@ void find_red(const Session& session) {
     for (const auto& red : alone)
         if (red) findings.red.push_back(*red);
     const std::string last = saved_last(session.project, session.step());
-    std::ranges::stable_partition(findings.red, [&](const RedFunction& red) {
+    std::stable_partition(findings.red.begin(), findings.red.end(), [&](const RedFunction& red) {
         return gap_named(findings, red.name).exercise.file == last;
     });
 }
@@ -501,6 +508,10 @@ void check_all(const Session& session) {
     check_others(session, headers);
     explain_crashes(session, headers);
     collect_checks(findings);
+    if (findings.complete && !findings.picture.complete) {
+        render_mine(session, Samples::all);
+        print_picture(session);
+    }
     if (!has_hung(findings)) find_red(session); // one check that hangs is enough to wait for
     print_functions(session);
     print_checks(session);

@@ -8,17 +8,20 @@ now() { date +%s.%N; }
 since() { awk "BEGIN { printf \"%.1f\", $(now) - $1 }"; }
 
 waited() { # sets $checks and $picture, the seconds until their lines are there
-    local begin line
+    local begin tutor
     checks="" picture=""
+    : >"$build/said_loop.txt"
     rm -rf "$build/check/cache" && mkdir -p "$build/check/cache" || exit 1
     begin=$(now)
-    while IFS= read -r line; do
-        case $line in
-            saved*) checks=$(since "$begin") ;;
-            picture*) [ -n "$picture" ] || picture=$(since "$begin") ;;
-        esac
-    done < <("$build/bin/tutor" --root "$root" --workshop "$build/loop" check "$step" --build "$build" |
-        tee "$build/said_loop.txt")
+    "$build/bin/tutor" --root "$root" --workshop "$build/loop" check "$step" --build "$build" >"$build/said_loop.txt" 2>&1 &
+    tutor=$!
+    while [ -z "$picture" ] && kill -0 $tutor 2>/dev/null; do
+        sleep 0.05
+        [ -n "$checks" ] || ! grep -q '^saved' "$build/said_loop.txt" || checks=$(since "$begin")
+        ! grep -qE '^(picture|preview)' "$build/said_loop.txt" || picture=$(since "$begin")
+    done
+    kill $tutor 2>/dev/null # the step's other checks are not waited for
+    wait $tutor 2>/dev/null
     [ -n "$checks" ] && [ -n "$picture" ] && return
     cat "$build/said_loop.txt" >&2
     exit 1
