@@ -248,7 +248,8 @@ TEST_CASE("a plot supports dark mode and equal numbers give an equal file") {
         return;
     }
     CHECK(plots == drawn_plots());
-    for (const auto& [name, svg] : plots) {
+    for (const auto& [key, svg] : plots) {
+        const std::string name = key; // CAPTURE cannot capture a structured binding
         CAPTURE(name);
         CHECK(svg.find("prefers-color-scheme: dark") != std::string::npos);
         CHECK(svg.find("</svg>") != std::string::npos);
