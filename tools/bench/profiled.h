@@ -1,10 +1,12 @@
-// Profiles a step's program: this header is forced in front of its main.cpp, which is not changed. Its scene
-// becomes one that notes what the program is doing, and a second thread samples that every 50 microseconds.
+// Profiles a step's program: this header is forced in front of its main.cpp, which is not changed. Queries of its
+// scene note what the program is doing, and a second thread samples that every 50 microseconds.
 // The program must render with one thread. At its end it prints a line "shares" with the shares of making the
 // scene, building, traversal and shading. RT_SCENE is the scene.h that it uses, RT_STEP its number.
 #pragma once
 
 #include RT_SCENE
+
+#include "01_spheres/program/counted.h"
 
 #include <algorithm>
 #include <array>
@@ -70,23 +72,20 @@ inline Profiler profiler;
 
 } // namespace bench
 
-/// A Scene in every respect; but as another type it is passed to the functions below, which fit it better.
-struct ProfiledScene : Scene {};
+// The program's scene is a Counted<Scene>: functions for that very type are better matches than templates.
 
-inline std::optional<Hit> intersect(const ProfiledScene& scene, const Ray& ray) {
-    return bench::in_phase(bench::traversing, bench::shading,
-                           [&] { return intersect(static_cast<const Scene&>(scene), ray); });
+inline std::optional<Hit> intersect(const Counted<Scene>& scene, const Ray& ray) {
+    return bench::in_phase(bench::traversing, bench::shading, [&] { return intersect<Scene>(scene, ray); });
 }
 
 #if RT_STEP >= 2
-inline bool occluded(const ProfiledScene& scene, const Ray& ray) {
-    return bench::in_phase(bench::traversing, bench::shading,
-                           [&] { return occluded(static_cast<const Scene&>(scene), ray); });
+inline bool occluded(const Counted<Scene>& scene, const Ray& ray) {
+    return bench::in_phase(bench::traversing, bench::shading, [&] { return occluded<Scene>(scene, ray); });
 }
 #endif
 
 #if RT_STEP >= 5
-inline void build_bvhs(ProfiledScene& scene) {
+inline void build_bvhs(Counted<Scene>& scene) {
     bench::set_phase(bench::building);
     build_bvhs(static_cast<Scene&>(scene));
     bench::set_phase(bench::making_scene);
@@ -94,5 +93,3 @@ inline void build_bvhs(ProfiledScene& scene) {
 #endif
 
 } // namespace rt
-
-#define Scene ProfiledScene
