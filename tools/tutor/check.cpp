@@ -71,7 +71,7 @@ Outcome checked(const Toolchain& tools, const Change& change, const std::string&
     return outcome;
 }
 
-/// Returns the step's sources of checks but for slow ones; those of the file that was saved last come first.
+/// Returns the step's sources of checks but for slow ones.
 Words quick_sources(const Project& project, const std::string& step) {
     Words sources;
     for (const std::string& file : check_files(project.root, step))
@@ -95,8 +95,9 @@ std::string saved_last(const Project& project, const std::string& step) {
 
 // --- the picture ------------------------------------------------------------------------------------------------
 
-/// Returns the folder with the picture that the reference makes with the same gaps. It is rendered once.
-fs::path expected_folder(const Session& session, const Headers& cut) {
+/// Returns the folder with the picture that the reference makes with the same gaps, which is rendered once; nothing if
+/// it makes none, because what is missing is needed for a picture.
+std::optional<fs::path> expected_folder(const Session& session, const Headers& cut) {
     const Change change = session.change("expected", cut);
     const fs::path folder = session.tools.work / "expected" /
                             dependency_key(session.tools, change, program_source(session.step()));
@@ -112,8 +113,7 @@ fs::path expected_folder(const Session& session, const Headers& cut) {
                   .out = scratch.path / "picture",
                   .samples = Samples::few};
     make_folder(job.out);
-    if (const auto reason = render(job))
-        throw Error("the reference with these gaps makes no picture: " + *reason);
+    if (render(job)) return std::nullopt;
     make_folder(folder);
     for (const char* const kind : {".png", ".variance.hdr", ".hdr"})
         if (fs::exists(job.out / (session.step() + kind)))
@@ -131,8 +131,13 @@ void render_mine(const Session& session, Samples samples) {
                   .out = session.findings.scratch / "picture",
                   .samples = samples};
     make_folder(job.out);
-    if (!cut.empty()) job.references = expected_folder(session, cut);
     PictureFinding& picture = session.findings.picture;
+    if (!cut.empty()) {
+        const auto expected = expected_folder(session, cut);
+        picture = no_picture("functions that are still to write are needed for one");
+        if (!expected) return;
+        job.references = *expected;
+    }
     picture = render_and_compare(job);
     if (!cut.empty() && picture.holds) {
         picture.verdict = "partial"; // the step is not done
@@ -513,6 +518,8 @@ void check_all(const Session& session) {
         print_picture(session);
     }
     if (!has_hung(findings)) find_red(session); // one check that hangs is enough to wait for
+    const bool may_be_earlier = findings.red.empty() && failures(findings.checks) > 0;
+    if (may_be_earlier && findings.earlier.empty()) check_earlier(session, headers);
     print_functions(session);
     print_checks(session);
     print_earlier(session);
