@@ -35,6 +35,15 @@ std::string complaint(const std::string& text) {
 
 } // namespace
 
+TEST_CASE("each function to write has a row in its chapter") {
+    for (const std::string& step : all_steps(real)) {
+        const std::string chapter = text_of(real.root / "docs" / (step + ".md"));
+        for (const Exercise& exercise : exercises_of(real, step))
+            CHECK_MESSAGE(chapter.find("\n| `" + exercise.function + "`") != std::string::npos,
+                          step << ": " << exercise.function);
+    }
+}
+
 TEST_CASE("the eight steps have 45 exercises with unique names within a step") {
     std::size_t count = 0;
     for (const std::string& step : all_steps(real)) {
