@@ -1,12 +1,14 @@
 // Numbers of a benchmark: clocks, means, and rows of results as text.
 #pragma once
 
+#include "common/util/error.h"
 #include "common/util/json.h"
 
 #include <algorithm>
 #include <cctype>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <ctime>
 #include <limits>
@@ -68,6 +70,13 @@ inline std::string cell(const Json& value) {
 inline double number(const Json& object, const std::string& name) {
     const Json field = object.value(name, Json());
     return field.is_number() ? field.get<double>() : unknown;
+}
+
+/// Returns a whole number from 0. Throws Error for anything else.
+inline std::uint64_t count(const Json& value) {
+    if (!value.is_number_integer() || (!value.is_number_unsigned() && value.get<std::int64_t>() < 0))
+        throw Error("these are not the numbers of a benchmark: a count must be a whole number from 0");
+    return value.get<std::uint64_t>();
 }
 
 /// Returns a table of objects in Markdown. Its columns are the fields of the first object, unless given. They

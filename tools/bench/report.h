@@ -91,8 +91,8 @@ inline void add_bars(Report& report, const std::string& name, const std::string&
 inline Json sum(const Json& rows) {
     Json total = Json::object();
     for (const Json& row : rows)
-        for (const auto& [name, count] : row.items())
-            total[name] = total.value(name, std::uint64_t(0)) + count.get<std::uint64_t>();
+        for (const auto& [name, value] : row.items())
+            total[name] = total.value(name, std::uint64_t(0)) + count(value);
     return total;
 }
 
@@ -109,9 +109,9 @@ inline void add_traversal(Report& report, const Json& json) {
             "The rays on which the sides disagree, by kind. Brute force judged some of them, and some "
             "random rays:\n\n" +
             table(Json::array({total}));
-    std::map<int, Json> groups; // by threads: mesh -> rays -> value
+    std::map<std::uint64_t, Json> groups; // by threads: mesh -> rays -> value
     for (const Json& row : json.at("cases"))
-        groups[row.at("threads").get<int>()][row.at("mesh").get<std::string>()]
+        groups[count(row.at("threads"))][row.at("mesh").get<std::string>()]
               [row.at("rays").get<std::string>()] = number(row, both ? "ratio" : "ours_mrays");
     for (const auto& [threads, group] : groups)
         add_bars(report, "traversal_" + std::to_string(threads),
