@@ -38,7 +38,7 @@ inline std::array<vec3, 3> triangle_at(const accel::TriangleMesh& mesh, std::uin
 }
 
 inline vec3 random_direction(Random& random) {
-    const float z = 1 - 2 * random.uniform(), angle = 2 * pi * random.uniform();
+    const float z = 1 - 2 * random.get_1d(), angle = 2 * pi * random.get_1d();
     const float radius = std::sqrt(std::max(0.0f, 1 - z * z));
     return {radius * std::cos(angle), radius * std::sin(angle), z};
 }
@@ -183,7 +183,7 @@ inline std::map<std::string, std::vector<accel::Ray>> make_rays(const BenchScene
             max(abs(position), abs(ray.origin)); // rounding moves the hit by 2^-21 of it at most
         const vec3 start = position + 0x1p-21f * std::max({reach.x, reach.y, reach.z}) * normal;
         rays["bounce"].push_back({start, normalize(normal + random_direction(random))});
-        const vec2 u = random.uniform2();
+        const vec2 u = random.get_2d();
         const vec3 to_light = mix(scene.light.min, scene.light.max, vec3(u.x, 0, u.y)) - start;
         if (dot(to_light, normal) > 0) rays["shadow"].push_back({start, to_light, 0, 1});
     }

@@ -11,8 +11,8 @@ namespace rt {
 /// A source of uniform random numbers in [0, 1), one or two at a time. Sampling code needs nothing else.
 template <typename T>
 concept RandomSource = requires(T& source) {
-    { source.uniform() } -> std::same_as<float>;
-    { source.uniform2() } -> std::same_as<vec2>;
+    { source.get_1d() } -> std::same_as<float>;
+    { source.get_2d() } -> std::same_as<vec2>;
 };
 
 /// The finaliser of SplitMix64 (Steele, Lea and Flood, OOPSLA 2014): a bijection that mixes all 64 bits.
@@ -36,12 +36,12 @@ class Random {
     constexpr std::uint64_t bits() { return mix64(state += 0x9e3779b97f4a7c15u); }
 
     /// Returns a number in [0, 1) with 24 bits, the precision of a float, so that it never rounds up to 1.
-    constexpr float uniform() { return float(bits() >> 40) * 0x1p-24f; }
+    constexpr float get_1d() { return float(bits() >> 40) * 0x1p-24f; }
 
     /// Returns a point in the unit square [0, 1)^2.
-    vec2 uniform2() {
-        const float x = uniform(); // two statements: C++ does not define the evaluation order of arguments
-        const float y = uniform();
+    vec2 get_2d() {
+        const float x = get_1d(); // two statements: C++ does not define the evaluation order of arguments
+        const float y = get_1d();
         return {x, y};
     }
 

@@ -27,7 +27,7 @@ int depth_complexity(const S& scene, Ray ray, int limit) {
 /// Returns a colour that distinguishes `index` from its neighbours.
 inline vec3 id_colour(int index) {
     Random random{std::uint64_t(index)};
-    return vec3(0.1f) + 0.8f * vec3(random.uniform(), random.uniform(), random.uniform());
+    return vec3(0.1f) + 0.8f * vec3(random.get_1d(), random.get_1d(), random.get_1d());
 }
 
 /// Maps [0, 1] to black, red, yellow, white.

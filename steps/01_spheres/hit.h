@@ -30,7 +30,7 @@ struct Hit {
     int material;          ///< index into the scene's materials
     bool back_face;        ///< the ray came from within the shape
     float position_error;  ///< how far `position` may be off the true surface
-    vec3 tint{1};          ///< multiplies the albedo: the colour of a mesh's vertices (step 05), or white
+    vec3 vertex_color{1};  ///< multiplies the albedo: of a mesh with coloured vertices (step 05), or white
 };
 
 /// Returns the hit at the end of `ray`, at t_max. `outward_normal` is the shape's own unit normal,

@@ -48,8 +48,8 @@ vec3 direct_irradiance(const S& scene, const Hit& hit) {
 /// occluded; it stands in for indirect light until step 08.
 template <Occludable S>
 vec3 shade_diffuse(const S& scene, const Hit& hit, const Diffuse& diffuse) {
-    return outgoing_radiance(
-        diffuse, hit.tint * (direct_irradiance(scene, hit) + irradiance(scene.sky, hit.shading_normal)));
+    return outgoing_radiance(diffuse, hit.vertex_color * (direct_irradiance(scene, hit) +
+                                                          irradiance(scene.sky, hit.shading_normal)));
 }
 
 } // namespace rt

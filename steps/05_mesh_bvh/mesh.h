@@ -84,7 +84,8 @@ inline Hit surface_hit(const MeshHit& mesh_hit, const Ray& ray) {
     Hit hit = make_hit(ray, outward_normal, shading_normal, uv, mesh.materials[mesh_hit.triangle]);
     hit.shading_normal =
         ensure_valid_reflection(normalize(ray.direction), hit.shading_normal, hit.geometric_normal);
-    if (!mesh.colors.empty()) hit.tint = interpolate_barycentric(mesh.colors, corner, mesh_hit.u, mesh_hit.v);
+    if (!mesh.colors.empty())
+        hit.vertex_color = interpolate_barycentric(mesh.colors, corner, mesh_hit.u, mesh_hit.v);
     return hit;
 }
 

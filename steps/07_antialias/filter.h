@@ -42,7 +42,7 @@ inline vec2 sample_filter(Filter filter, vec2 u, float width) {
 
 /// Returns the point of the image that a sample looks through, in pixels from the top left corner.
 inline vec2 film_point(const PixelSample& sample, Sampler& sampler, Filter filter, float width) {
-    return vec2(sample.x, sample.y) + 0.5f + sample_filter(filter, sampler.uniform2(), width);
+    return vec2(sample.x, sample.y) + 0.5f + sample_filter(filter, sampler.get_2d(), width);
 }
 
 } // namespace rt

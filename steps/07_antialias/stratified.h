@@ -17,7 +17,7 @@ inline vec2 stratified_2d(int index, int count, Random& random) {
     const int row = int((std::int64_t(index) * rows + rows - 1) / count);
     const auto first_of = [&](int r) { return int(std::int64_t(r) * count / rows); };
     const int columns = first_of(row + 1) - first_of(row);
-    const vec2 jitter = random.uniform2();
+    const vec2 jitter = random.get_2d();
     const float x = (float(index - first_of(row)) + jitter.x) / float(columns);
     const float y = (float(first_of(row)) + jitter.y * float(columns)) / float(count);
     return min(vec2(x, y), vec2(0x1.fffffep-1f)); // the sums may round up to 1
@@ -26,7 +26,7 @@ inline vec2 stratified_2d(int index, int count, Random& random) {
 
 /// Returns a random number in cell `index` of `count` of [0, 1).
 inline float stratified_1d(int index, int count, Random& random) {
-    return glm::min((float(index) + random.uniform()) / float(count), 0x1.fffffep-1f);
+    return glm::min((float(index) + random.get_1d()) / float(count), 0x1.fffffep-1f);
 }
 
 /// Returns element `index` of a random permutation of 0 to count - 1, one permutation per key. Odd factors,

@@ -47,7 +47,7 @@ inline Ray thin_lens_ray(const Camera& camera, const ThinLens& lens, vec2 film_p
 
 /// Returns the ray of a sample through this point of the image. A pinhole camera draws no random numbers.
 inline Ray sample_camera_ray(const Camera& camera, const ThinLens& lens, vec2 film_point, Sampler& sampler) {
-    return lens.aperture_diameter > 0 ? thin_lens_ray(camera, lens, film_point, sampler.uniform2())
+    return lens.aperture_diameter > 0 ? thin_lens_ray(camera, lens, film_point, sampler.get_2d())
                                       : camera_ray(camera, film_point);
 }
 

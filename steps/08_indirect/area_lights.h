@@ -100,7 +100,7 @@ vec3 sample_area_lights(const S& scene, const AreaLights& lights, const Hit& hit
                         vec3 absorption = vec3(0),
                         std::optional<HemisphereSampling> bsdf_sampling = std::nullopt) {
     if (lights.lights.empty()) return vec3(0);
-    const LightSample sample = sample_light(lights, source.uniform2());
+    const LightSample sample = sample_light(lights, source.get_2d());
     //> the light over its density, times the cosine and the share, if nothing stands between
     const vec3 to_light = sample.position - hit.position;
     const float distance = length(to_light);

@@ -3,7 +3,7 @@
 #include "01_spheres/program/options.h"
 #include "05_mesh_bvh/program/options.h"
 #include "07_antialias/program/options.h"
-#include "08_indirect/program/animal.h"
+#include "08_indirect/program/cat_room.h"
 #include "08_indirect/program/cornell.h"
 #include "08_indirect/radiance.h"
 #include "08_indirect/program/room.h"
@@ -13,7 +13,7 @@
 
 using namespace rt;
 
-enum class SceneName { room, furnace, cornell, weekend, animal };
+enum class SceneName { room, furnace, cornell, weekend, cat };
 
 /// Builds a white furnace: a white sphere in a uniform environment. It reflects all the light that it
 /// receives, so it must be invisible.
@@ -30,7 +30,7 @@ LookAt build_scene(Scene& scene, SceneName show) {
     case SceneName::furnace: return furnace(scene);
     case SceneName::cornell: return cornell(scene);
     case SceneName::weekend: return weekend(scene);
-    case SceneName::animal: return animal(scene);
+    case SceneName::cat: return cat_room(scene);
     default: return room(scene);
     }
 }
@@ -42,7 +42,7 @@ int main(int argc, char** argv) {
     const std::string& spheres =
         options.file("spheres", "a list of spheres to show with the camera and light of --scene weekend");
     const auto show = options.choice(
-        "scene", {"room", "furnace", "cornell", "weekend", "animal"}, SceneName::room,
+        "scene", {"room", "furnace", "cornell", "weekend", "cat"}, SceneName::room,
         "what to show: the room of the reference; a white sphere in a white world, which must be invisible; "
         "a Cornell box; the spheres of a well-known book; a cat at home");
     const auto accel = accel_option(options, Accel::wide);

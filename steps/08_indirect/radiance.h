@@ -47,7 +47,7 @@ std::variant<Diffuse, ScatteredRay> scatter(const S& scene, const Ray& ray, cons
     };
     int material = hit.material;
     while (const auto* coat = std::get_if<Coated>(&scene.materials[std::size_t(material)])) {
-        if (source.uniform() < coat->reflectivity) return reflected(coat->reflectance);
+        if (source.get_1d() < coat->reflectivity) return reflected(coat->reflectance);
         material = coat->base;
     }
     return match(
@@ -55,7 +55,7 @@ std::variant<Diffuse, ScatteredRay> scatter(const S& scene, const Ray& ray, cons
         [&](const auto& matte) -> Result { return matte_at(matte, scene, hit); },
         [&](const Mirror& mirror) -> Result { return reflected(mirror.reflectance); },
         [&](const Metal& metal) -> Result {
-            const auto scattered = scatter_metal(metal, ray, hit, source.uniform2());
+            const auto scattered = scatter_metal(metal, ray, hit, source.get_2d());
             if (!scattered) return Diffuse{vec3(0)}; // it ends here
             return ScatteredRay{*scattered, metal.reflectance, absorption};
         },
@@ -63,7 +63,7 @@ std::variant<Diffuse, ScatteredRay> scatter(const S& scene, const Ray& ray, cons
         [&](const Dielectric& dielectric) -> Result {
             const Interface interface = make_interface(dielectric, ray, hit);
             const auto refracted = refracted_ray(ray, hit, interface);
-            if (!refracted || source.uniform() < interface.reflectance) return reflected(vec3(1));
+            if (!refracted || source.get_1d() < interface.reflectance) return reflected(vec3(1));
             return ScatteredRay{*refracted, vec3(1), interface.transmitted_medium.absorption_coefficient};
         });
 }
@@ -121,12 +121,12 @@ vec3 radiance(const S& scene, const AreaLights& lights, const PathSettings& sett
                 path_radiance +=
                     throughput * diffuse.emission * emission_weight(scene, lights, settings, ray, *hit, pdf);
             if (last || diffuse.albedo == vec3(0)) return path_radiance;
-            throughput *= diffuse.albedo * hit->tint;
+            throughput *= diffuse.albedo * hit->vertex_color;
             path_radiance +=
                 throughput * sample_direct_light(scene, lights, settings, *hit, absorption, source) / pi;
             //> the cosine over pi times the density, which is 1 where bounces go by the cosine
             const vec3 direction =
-                sample_hemisphere(settings.hemisphere_sampling, hit->shading_normal, source.uniform2());
+                sample_hemisphere(settings.hemisphere_sampling, hit->shading_normal, source.get_2d());
             const float cosine = dot(direction, hit->shading_normal);
             pdf = hemisphere_pdf(settings.hemisphere_sampling, cosine);
             throughput *= cosine / (pi * *pdf);

@@ -15,7 +15,7 @@ std::optional<vec3> russian_roulette(vec3 throughput, Source& source) {
     //> survive with the largest component, at most .95, and divide by it
     const float largest = glm::max(throughput.x, glm::max(throughput.y, throughput.z));
     const float survival = glm::min(largest, 0.95f);
-    if (source.uniform() >= survival) return std::nullopt;
+    if (source.get_1d() >= survival) return std::nullopt;
     return throughput / survival;
     //< return throughput;
 }

@@ -52,8 +52,8 @@ TEST_CASE("the error bound of a hit's position holds near and far from the origi
     Random random(4);
     double worst = 0;
     for (int i = 0; i < 10000; ++i) {
-        const float scale = std::pow(10.0f, -2 + 6 * random.uniform()); // 1 cm to 10 km
-        const Sphere sphere{any_point(random, scale), scale * (0.1f + random.uniform()), 0};
+        const float scale = std::pow(10.0f, -2 + 6 * random.get_1d()); // 1 cm to 10 km
+        const Sphere sphere{any_point(random, scale), scale * (0.1f + random.get_1d()), 0};
         Ray ray{any_point(random, 3 * scale), any_direction(random)};
         const auto t = intersect(sphere, ray);
         if (!t) continue;

@@ -76,10 +76,10 @@ TEST_CASE("the closest of a hundred balls is the one with the smallest t") {
     Random random(6);
     Scene scene;
     for (int i = 0; i < 100; ++i)
-        scene.spheres.push_back({any_point(random, 3), 0.1f + 0.6f * random.uniform(), i});
+        scene.spheres.push_back({any_point(random, 3), 0.1f + 0.6f * random.get_1d(), i});
     int wrong = 0, hits = 0;
     for (int i = 0; i < 3000; ++i) {
-        const Ray ray{any_point(random, 3), (0.3f + 2 * random.uniform()) * any_direction(random)};
+        const Ray ray{any_point(random, 3), (0.3f + 2 * random.get_1d()) * any_direction(random)};
         float smallest = infinity;
         int nearest = -1;
         for (const Sphere& sphere : scene.spheres)

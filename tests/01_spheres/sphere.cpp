@@ -112,8 +112,8 @@ TEST_CASE("any ray hits any sphere where the distance to its centre equals the r
     Random random(2);
     int wrong = 0, hits = 0, inside = 0;
     for (int i = 0; i < 20000; ++i) {
-        const Sphere sphere{any_point(random, 2), 0.2f + 3 * random.uniform(), 0};
-        const Ray ray{any_point(random, 3), (0.2f + 3 * random.uniform()) * any_direction(random)};
+        const Sphere sphere{any_point(random, 2), 0.2f + 3 * random.get_1d(), 0};
+        const Ray ray{any_point(random, 3), (0.2f + 3 * random.get_1d()) * any_direction(random)};
         const dvec3 o(ray.origin), c(sphere.center);
         const dvec3 d = normalize(dvec3(ray.direction));
         const double along = dot(c - o, d);

@@ -31,15 +31,15 @@ inline std::string hint(float got, std::initializer_list<Cause> causes) {
 
 /// Returns a uniformly distributed direction of unit length.
 inline vec3 any_direction(Random& random) {
-    const float y = 1 - 2 * random.uniform();
-    const float angle = 2 * pi * random.uniform();
+    const float y = 1 - 2 * random.get_1d();
+    const float angle = 2 * pi * random.get_1d();
     const float r = std::sqrt(std::max(0.0f, 1 - y * y));
     return {r * std::cos(angle), y, r * std::sin(angle)};
 }
 
 /// Returns a random point of the cube [-size, size]^3.
 inline vec3 any_point(Random& random, float size) {
-    const float x = random.uniform(), y = random.uniform(), z = random.uniform();
+    const float x = random.get_1d(), y = random.get_1d(), z = random.get_1d();
     return size * (2.0f * vec3(x, y, z) - 1.0f);
 }
 

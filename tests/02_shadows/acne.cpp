@@ -78,8 +78,8 @@ TEST_CASE("no point of a floor from the viewer's feet to the horizon is shadowed
         Scene scene;
         scene.planes = {{point, normal, add(scene.materials, Diffuse{vec3(0.5f)})}};
         const vec3 eye = point + 1.7f * normal;
-        const float away = std::pow(10.0f, -2 + 5 * random.uniform()); // a centimetre to a kilometre
-        const float angle = 2 * pi * random.uniform();
+        const float away = std::pow(10.0f, -2 + 5 * random.get_1d()); // a centimetre to a kilometre
+        const float angle = 2 * pi * random.get_1d();
         const vec3 target = point + away * (std::cos(angle) * a + std::sin(angle) * b);
         const PointLight light{point + 4.0f * normal + 3.0f * a, vec3(20)};
         scene.lights = {light};

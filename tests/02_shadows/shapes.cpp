@@ -17,13 +17,13 @@ TEST_CASE("a segment is occluded exactly if it hits something") {
     Random random(5);
     Scene scene;
     for (int i = 0; i < 30; ++i)
-        scene.spheres.push_back({any_point(random, 3), 0.1f + 0.5f * random.uniform(), i});
+        scene.spheres.push_back({any_point(random, 3), 0.1f + 0.5f * random.get_1d(), i});
     scene.planes = {{{0, -2, 0}, normalize(vec3(1, 9, 2)), 30},
                     {{0, 0, -2.5f}, normalize(vec3(1, 2, 9)), 31}};
     int wrong = 0, hidden = 0;
     for (int i = 0; i < 10000; ++i) {
         const vec3 from = any_point(random, 3);
-        const Ray ray{from, any_point(random, 3) - from, 0.2f * random.uniform(), 0.2f + random.uniform()};
+        const Ray ray{from, any_point(random, 3) - from, 0.2f * random.get_1d(), 0.2f + random.get_1d()};
         const bool meets = intersect(scene, ray).has_value();
         hidden += meets;
         wrong += occluded(scene, ray) != meets;

@@ -24,7 +24,7 @@ TEST_CASE("a reflected direction leaves at the angle at which it came") {
 TEST_CASE("a reflected direction keeps its length") {
     Random random(1);
     for (int i = 0; i < 200; ++i) {
-        const vec3 d = (0.1f + 5 * random.uniform()) * any_direction(random), n = any_direction(random);
+        const vec3 d = (0.1f + 5 * random.get_1d()) * any_direction(random), n = any_direction(random);
         CHECK_MESSAGE(length(reflect(d, n)) == approx(length(d)), "|r| = |d| for a d of any length");
     }
 }

@@ -35,14 +35,14 @@ TEST_CASE("a segment is occluded exactly if it hits something") {
     Random random(8);
     Scene scene;
     for (int i = 0; i < 20; ++i) {
-        scene.spheres.push_back({any_point(random, 3), 0.1f + 0.5f * random.uniform(), 0});
+        scene.spheres.push_back({any_point(random, 3), 0.1f + 0.5f * random.get_1d(), 0});
         scene.quads.push_back({any_point(random, 3), any_point(random, 1), any_point(random, 1), 0});
     }
     scene.planes = {{{0, -2, 0}, normalize(vec3(1, 9, 2)), 0}};
     int wrong = 0, hidden = 0;
     for (int i = 0; i < 10000; ++i) {
         const vec3 from = any_point(random, 3);
-        const Ray ray{from, any_point(random, 3) - from, 0.2f * random.uniform(), 0.2f + random.uniform()};
+        const Ray ray{from, any_point(random, 3) - from, 0.2f * random.get_1d(), 0.2f + random.get_1d()};
         const bool meets = intersect(scene, ray).has_value();
         hidden += meets;
         wrong += occluded(scene, ray) != meets;

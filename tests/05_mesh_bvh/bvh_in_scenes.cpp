@@ -112,7 +112,7 @@ TEST_CASE(
     Scene scene;
     const int grey = add(scene.materials, Diffuse{vec3(0.5f)});
     for (int i = 0; i < 500; ++i)
-        scene.spheres.push_back({random_point(random), 0.08f * random.uniform() + 1e-4f, grey});
+        scene.spheres.push_back({random_point(random), 0.08f * random.get_1d() + 1e-4f, grey});
     build_bvhs(scene);
     check_tree_changes_nothing(scene, {vec3(0), vec3(1)}, 2000);
     scene.planes = {{{0, 0.3f, 0}, normalize(vec3(0.1f, 1, 0)), grey}};

@@ -12,7 +12,7 @@ using namespace rt;
 namespace {
 
 float any_size(Random& random) {
-    return std::pow(10.0f, 6 * random.uniform() - 3); // from a millimetre to a kilometre
+    return std::pow(10.0f, 6 * random.get_1d() - 3); // from a millimetre to a kilometre
 }
 
 /// Builds triangles, quads and balls within a few metres, with sizes over six orders

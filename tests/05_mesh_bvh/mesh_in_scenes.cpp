@@ -21,7 +21,7 @@ TEST_CASE("no ray aimed at a vertex or an edge of a closed mesh from inside gets
                 const vec3 p = scene.mesh.positions[triangle[k]],
                            q = scene.mesh.positions[triangle[(k + 1) % 3]];
                 const vec3 from = scale * (vec3(0.3f, -0.2f, 0.1f) + 0.5f * (random_point(random) - 0.5f));
-                for (const vec3 target : {p, (p + q) / 2.0f, mix(p, q, random.uniform())})
+                for (const vec3 target : {p, (p + q) / 2.0f, mix(p, q, random.get_1d())})
                     slipped += !intersect(scene, Ray{from, target - from});
             }
         }
@@ -143,7 +143,7 @@ TEST_CASE("the normal of a hit does not depend on the length of the ray's direct
     for (int i = 0; i < 2000; ++i) {
         const vec3 from = 3.0f * normalize(random_direction(random));
         const vec3 rim = normalize(cross(from, random_direction(random))); // rays that graze the ball
-        const vec3 way = (0.8f + 0.2f * random.uniform()) * rim - from;
+        const vec3 way = (0.8f + 0.2f * random.get_1d()) * rim - from;
         const auto slow = intersect(scene, Ray{from, way}), fast = intersect(scene, Ray{from, 8.0f * way});
         if (!slow || !fast) continue;
         different += !(slow->shading_normal == approx(fast->shading_normal, 1e-3f));

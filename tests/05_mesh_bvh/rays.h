@@ -9,9 +9,9 @@
 namespace rt {
 
 inline vec3 random_point(Random& random) {
-    const float x = random.uniform();
-    const float y = random.uniform();
-    const float z = random.uniform();
+    const float x = random.get_1d();
+    const float y = random.get_1d();
+    const float z = random.get_1d();
     return {x, y, z};
 }
 

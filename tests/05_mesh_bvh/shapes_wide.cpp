@@ -64,7 +64,7 @@ TEST_CASE("the wide tree finds spheres, quads and planes among triangles") {
     Scene scene;
     const int grey = add(scene.materials, Diffuse{vec3(0.5f)});
     for (int i = 0; i < 500; ++i)
-        scene.spheres.push_back({random_point(random), 0.08f * random.uniform() + 1e-3f, grey});
+        scene.spheres.push_back({random_point(random), 0.08f * random.get_1d() + 1e-3f, grey});
     check_wide_changes_nothing(scene, {vec3(0), vec3(1)}, 1500);
     scene.planes = {{{0, 0.3f, 0}, normalize(vec3(0.1f, 1, 0)), grey}};
     for (int i = 0; i < 40; ++i)
@@ -82,7 +82,7 @@ TEST_CASE("a quad in the wide tree has the same hit as a quad in both of its hal
     build_bvhs(scene);
     Random random(86);
     for (int i = 0; i < 300; ++i) {
-        const vec2 uv = 0.002f + 0.996f * random.uniform2();
+        const vec2 uv = 0.002f + 0.996f * random.get_2d();
         const vec3 target =
             scene.quads[0].corner + uv.x * scene.quads[0].edge_u + uv.y * scene.quads[0].edge_v;
         const vec3 origin = target + 3.0f * random_direction(random);

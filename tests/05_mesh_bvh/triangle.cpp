@@ -14,7 +14,7 @@ const vec3 a = {1, -2, 3}, b = {3, 1, 4}, c = {-1, 2, 6}; // a skewed triangle
 TEST_CASE("the point where a ray hits a triangle is the weighted mean of the vertices") {
     Random random(3);
     for (int i = 0; i < 1000; ++i) {
-        vec2 uv = random.uniform2();
+        vec2 uv = random.get_2d();
         if (uv.x + uv.y > 1) uv = 1.0f - uv;
         const vec3 target = (1 - uv.x - uv.y) * a + uv.x * b + uv.y * c;
         const Ray ray{target + 4.0f * random_direction(random), {}, 0, infinity};
@@ -85,7 +85,7 @@ TEST_CASE("no ray slips through the edge that two triangles share") {
         const vec3 p = 4.0f * random_point(random), q = 4.0f * random_point(random),
                    r = 4.0f * random_point(random);
         const vec3 far = p + q - r + (random_point(random) - 0.5f); // on the other side of p q
-        const vec3 target = mix(p, q, 0.02f + 0.96f * random.uniform());
+        const vec3 target = mix(p, q, 0.02f + 0.96f * random.get_1d());
         const vec3 from = target + 5.0f * random_direction(random);
         const vec3 n1 = normalize(cross(q - p, r - p)), n2 = normalize(cross(p - q, far - q));
         const vec3 d = normalize(target - from);

@@ -55,7 +55,7 @@ TEST_CASE("a smoothed normal equals its definition to the last bit") {
         const float moved = round % 2 == 0 ? 0 : 0.3f;
         const auto point = [&] {
             const vec3 p = glm::floor(3.0f * random_point(random)) - 1.0f;
-            if (random.uniform() < 0.5f) return -p; // including -0, which equals 0
+            if (random.get_1d() < 0.5f) return -p; // including -0, which equals 0
             return p + moved * random_point(random);
         };
         for (int i = 0; i < 60; ++i) {

@@ -70,7 +70,7 @@ TEST_CASE("a mask with stripes of equal width is opaque in half of its area") {
     int there = 0;
     const int count = 20000;
     for (int i = 0; i < count; ++i) {
-        const vec2 p = random.uniform2();
+        const vec2 p = random.get_2d();
         const auto hit = intersect(scene, Ray{{p.x, 5, -p.y * (1 - 1e-3f)}, {0, -1, 0}});
         there += hit && hit->material == 1;
     }
@@ -109,9 +109,9 @@ TEST_CASE("vertex colours are interpolated over a triangle and multiply its albe
     const Ray ray{{0.9f, 2, 0.6f}, {0, -1, 0}};
     const auto hit = intersect(scene, ray);
     REQUIRE(hit);
-    CHECK(hit->tint == approx({0.5f, 0.2f, 0.3f}));
+    CHECK(hit->vertex_color == approx({0.5f, 0.2f, 0.3f}));
     CHECK(radiance(scene, ray, 1) == approx(0.5f * vec3(0.5f, 0.2f, 0.3f)));
     const auto white = intersect(scene, Ray{{5, -10, 0.1f}, {-1, 0, 0}});
     REQUIRE(white);
-    CHECK(white->tint == vec3(1));
+    CHECK(white->vertex_color == vec3(1));
 }

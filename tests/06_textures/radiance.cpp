@@ -107,7 +107,7 @@ TEST_CASE("a checkerboard of .8 and .15 seen from far away averages .475") {
     Random random(72);
     Mean mean;
     for (int i = 0; i < 160000; ++i) {
-        const vec2 jitter = random.uniform2();
+        const vec2 jitter = random.get_2d();
         const vec2 p = vec2(float(i % 400), float(i / 400)) + jitter;
         const vec3 from{0, 60, 0};
         const vec3 target{(p.x - 200) / 20, 0, (p.y - 200) / 20};
@@ -129,7 +129,7 @@ TEST_CASE("a texture of .8 and .15 seen from far away averages .475 too") {
     Random random(73);
     Mean mean;
     for (int i = 0; i < 100000; ++i) {
-        const vec2 p = 19.9f * (random.uniform2() - 0.5f);
+        const vec2 p = 19.9f * (random.get_2d() - 0.5f);
         mean.add(double(radiance(scene, Ray{{p.x, 60, p.y}, {0, -2, 0}}, 1).x));
     }
     INFO(mean.against(0.475));

@@ -152,15 +152,15 @@ TEST_CASE("a glass model stays glass and a tree changes nothing about textured s
     const int picture = add(scene.materials, ImageTexture{add(scene.textures, card())});
     Random random(74);
     for (int i = 0; i < 60; ++i) {
-        const vec2 p = random.uniform2();
-        scene.spheres.push_back({{p.x, p.y, random.uniform()}, 0.1f, picture});
+        const vec2 p = random.get_2d();
+        scene.spheres.push_back({{p.x, p.y, random.get_1d()}, 0.1f, picture});
     }
     for (const Accel accel : {Accel::bvh, Accel::wide}) {
         scene.accel = accel;
         build_bvhs(scene);
     }
     for (int i = 0; i < 500; ++i) {
-        const vec2 p = random.uniform2();
+        const vec2 p = random.get_2d();
         const Ray ray{{p.x, p.y, 4}, {0.01f, -0.02f, -1}};
         scene.accel = i % 2 ? Accel::bvh : Accel::wide;
         const vec3 tree = radiance(scene, ray, 2);

@@ -139,8 +139,8 @@ TEST_CASE("at the border the first and the last texel are interpolated") {
 TEST_CASE("a texture repeats in both directions including left and down") {
     Random random(71);
     for (int i = 0; i < 2000; ++i) {
-        const vec2 uv = random.uniform2();
-        const vec2 shift{float(int(random.uniform() * 13) - 6), float(int(random.uniform() * 13) - 6)};
+        const vec2 uv = random.get_2d();
+        const vec2 shift{float(int(random.get_1d() * 13) - 6), float(int(random.get_1d() * 13) - 6)};
         if (!(bilinear(card(), uv + shift) == approx(bilinear(card(), uv), 2e-5f)))
             FAIL_CHECK("f(u + k) = f(u): at uv = ", uv, " and k = ", shift, " it is ",
                        bilinear(card(), uv + shift), " instead of ", bilinear(card(), uv),

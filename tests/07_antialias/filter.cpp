@@ -35,7 +35,7 @@ TEST_CASE("Box-Muller produces two independent standard normal numbers") {
     Mean product, product_of_squares, quadrant;
     Random random(17);
     for (int i = 0; i < 100'000; ++i) {
-        const vec2 p = box_muller(random.uniform2());
+        const vec2 p = box_muller(random.get_2d());
         for (int k = 0; k < 2; ++k) {
             const double x = double(p[k]);
             mean[std::size_t(k)].add(x);
@@ -93,7 +93,7 @@ TEST_CASE("a box covers the pixel, a tent reaches the neighbouring centres and a
             float farthest = 0;
             Random random(19);
             for (int i = 0; i < 40'000; ++i) {
-                const vec2 p = sample_filter(filter, random.uniform2(), width);
+                const vec2 p = sample_filter(filter, random.get_2d(), width);
                 for (int k = 0; k < 2; ++k) {
                     mean[std::size_t(k)].add(double(p[k]));
                     square[std::size_t(k)].add(double(p[k]) * double(p[k]));
@@ -117,7 +117,7 @@ TEST_CASE("a box covers the pixel, a tent reaches the neighbouring centres and a
 TEST_CASE("a filter of width 0 samples only the centre of the pixel") {
     for (const Filter filter : filters) {
         Random random(23);
-        for (int i = 0; i < 100; ++i) CHECK(sample_filter(filter, random.uniform2(), 0) == approx(vec2(0)));
+        for (int i = 0; i < 100; ++i) CHECK(sample_filter(filter, random.get_2d(), 0) == approx(vec2(0)));
     }
 }
 
@@ -130,7 +130,7 @@ TEST_CASE("the Gaussian weighs an edge equally from every side") {
         Mean white;
         Random random(29);
         for (int i = 0; i < 40'000; ++i)
-            white.add(dot(sample_filter(Filter::gaussian, random.uniform2(), 1), outward) < 0.4f ? 1 : 0);
+            white.add(dot(sample_filter(Filter::gaussian, random.get_2d(), 1), outward) < 0.4f ? 1 : 0);
         INFO("edge towards " << degrees << " degrees: " << white.against(want)
                              << "; correct only along the axes: x and y are not independent");
         CHECK(std::abs(white.z(want)) < 4);

@@ -28,10 +28,10 @@ using Point = std::array<float, dimensions>;
 
 Point point_of(SamplerKind kind, int pixel, int index, int count, std::uint64_t seed = 3) {
     Sampler sampler = sampler_of(kind, pixel, index, count, seed);
-    const vec2 a = sampler.uniform2();
-    const float b = sampler.uniform();
-    const vec2 c = sampler.uniform2();
-    return {a.x, a.y, b, c.x, c.y, sampler.uniform()};
+    const vec2 a = sampler.get_2d();
+    const float b = sampler.get_1d();
+    const vec2 c = sampler.get_2d();
+    return {a.x, a.y, b, c.x, c.y, sampler.get_1d()};
 }
 
 std::vector<Point> points_of(SamplerKind kind, int pixel, int count, std::uint64_t seed = 3) {
@@ -213,18 +213,18 @@ TEST_CASE("the random sampler returns the numbers of Random") {
     Random random(4, 2, 9, 77), same = random;
     Sampler of_sample(SamplerKind::random, PixelSample{4, 2, 9, 16, random, 77}), of_random(random);
     for (int i = 0; i < 10; ++i) {
-        const float one = same.uniform();
-        const vec2 two = same.uniform2();
-        CHECK(of_sample.uniform() == one);
-        CHECK(of_random.uniform() == one);
-        CHECK(of_sample.uniform2() == two);
-        CHECK(of_random.uniform2() == two);
+        const float one = same.get_1d();
+        const vec2 two = same.get_2d();
+        CHECK(of_sample.get_1d() == one);
+        CHECK(of_random.get_1d() == one);
+        CHECK(of_sample.get_2d() == two);
+        CHECK(of_random.get_2d() == two);
     }
 }
 
 TEST_CASE("every sample of every pixel has its own position") {
     const auto first = [](SamplerKind kind, int x, int y, int index, std::uint64_t seed) {
-        return Sampler(kind, PixelSample{x, y, index, 16, Random(x, y, index, seed), seed}).uniform2();
+        return Sampler(kind, PixelSample{x, y, index, 16, Random(x, y, index, seed), seed}).get_2d();
     };
     for (const SamplerKind kind : kinds) {
         INFO(name(kind)
@@ -243,7 +243,7 @@ TEST_CASE("render gives neighbouring pixels and samples different positions") {
     RenderSettings wanted = picture(2, 2, 2);
     wanted.threads = 1;
     render(wanted, [&](const PixelSample& sample) {
-        const vec2 u = Sampler(SamplerKind::random, sample).uniform2();
+        const vec2 u = Sampler(SamplerKind::random, sample).get_2d();
         const int pixel = sample.y * 2 + sample.x;
         if (pixel < 3) places[std::size_t(pixel * 2 + sample.index)] = u;
         return vec3(0);
@@ -295,9 +295,9 @@ TEST_CASE("16 even samples have less than half of the variance at an edge of 16 
     std::array<Mean, 3> variance;
     Random shapes(37);
     for (int trial = 0; trial < 60; ++trial) {
-        const float angle = 2 * pi * shapes.uniform();
+        const float angle = 2 * pi * shapes.get_1d();
         const vec2 outward(std::cos(angle), std::sin(angle));
-        const vec2 through = vec2(0.5f) + (shapes.uniform() - 0.5f) * 0.6f * outward;
+        const vec2 through = vec2(0.5f) + (shapes.get_1d() - 0.5f) * 0.6f * outward;
         for (const SamplerKind kind : kinds) {
             double share = 0, squares = 0;
             std::array<double, 100> got{};

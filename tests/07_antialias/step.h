@@ -19,7 +19,7 @@ inline std::string name(SamplerKind kind) {
 
 /// Returns the first 2D point of sample `index` of `count` in a pixel.
 inline vec2 first_point(SamplerKind kind, int index, int count, int pixel, std::uint64_t seed) {
-    return Sampler(kind, PixelSample{pixel, 0, index, count, Random(pixel, 0, index, seed), seed}).uniform2();
+    return Sampler(kind, PixelSample{pixel, 0, index, count, Random(pixel, 0, index, seed), seed}).get_2d();
 }
 
 inline RenderSettings picture(int width, int height, int samples, std::uint64_t seed = 7) {

@@ -37,7 +37,7 @@ TEST_CASE("points of the disk are spread evenly by area, and even points stay ev
     Mean x, y, xy, difference, square, fourth;
     Random random(3);
     for (int i = 0; i < 100'000; ++i) {
-        const vec2 p = sample_disk_concentric(random.uniform2());
+        const vec2 p = sample_disk_concentric(random.get_2d());
         const double r2 = double(dot(p, p));
         REQUIRE(r2 <= 1 + 1e-6);
         x.add(double(p.x)), y.add(double(p.y)), xy.add(double(p.x * p.y));
@@ -73,7 +73,7 @@ TEST_CASE("a lens of zero width is a pinhole to the last bit") {
     Sampler asked(SamplerKind::sobol, PixelSample{1, 2, 3, 16, Random(1, 2, 3, 4), 4}), untouched = asked;
     CHECK(sample_camera_ray(camera, {0, 3}, vec2(9), asked).direction ==
           camera_ray(camera, vec2(9)).direction);
-    CHECK_MESSAGE(asked.uniform() == untouched.uniform(), "a pinhole must not draw numbers");
+    CHECK_MESSAGE(asked.get_1d() == untouched.get_1d(), "a pinhole must not draw numbers");
 }
 
 TEST_CASE("rays start all over the lens perpendicular to the line of sight") {
@@ -91,7 +91,7 @@ TEST_CASE("rays start all over the lens perpendicular to the line of sight") {
     Mean across, along;
     Random random(5);
     for (int i = 0; i < 40'000; ++i) {
-        const vec3 p = thin_lens_ray(camera, lens, {300, 10}, random.uniform2()).origin - camera.origin;
+        const vec3 p = thin_lens_ray(camera, lens, {300, 10}, random.get_2d()).origin - camera.origin;
         const double x = double(dot(p, normalize(camera.half_width))),
                      y = double(dot(p, normalize(camera.half_height)));
         across.add(x * x), along.add(y * y);

@@ -209,7 +209,7 @@ TEST_CASE("the pdf of a direction towards lights is that with which they are sam
     std::array<Mean, 3> mean;
     Random random(73);
     for (int i = 0; i < 60'000; ++i) {
-        const LightSample point = sample_light(lights, random.uniform2());
+        const LightSample point = sample_light(lights, random.get_2d());
         const vec3 way = point.position - from;
         const float cosine = dot(normalize(way), point.normal);
         const double inverse = 1 / double(light_pdf(lights, point.emission, length(way), cosine));

@@ -33,8 +33,7 @@ TEST_CASE("no light gets into a closed smooth mesh from the sky, a point light o
         Random random(3);
         int bright = 0;
         for (int i = 0; i < 6000; ++i) {
-            const vec3 way =
-                normalize(2.0f * vec3(random.uniform(), random.uniform(), random.uniform()) - 1.0f);
+            const vec3 way = normalize(2.0f * vec3(random.get_1d(), random.get_1d(), random.get_1d()) - 1.0f);
             bright += radiance(scene, lights, {.depth = 8}, Ray{{0.1f, 0.2f, -0.1f}, way}, random) != vec3(0);
         }
         CHECK_MESSAGE(bright == 0,
@@ -48,7 +47,7 @@ TEST_CASE(
     Random random(4);
     Mean mean;
     for (int i = 0; i < 6000; ++i) {
-        const vec3 target = 0.9f * (2.0f * vec3(random.uniform(), random.uniform(), random.uniform()) - 1.0f);
+        const vec3 target = 0.9f * (2.0f * vec3(random.get_1d(), random.get_1d(), random.get_1d()) - 1.0f);
         mean.add(double(radiance(scene, {}, {.depth = 60, .roulette = false},
                                  Ray{{1, 3, 4}, target - vec3(1, 3, 4)}, random)
                             .x));

@@ -16,7 +16,7 @@ TEST_CASE("two tangents and the normal are perpendicular for every normal") {
     Random random(1);
     std::vector<vec3> all(normals.begin(), normals.end());
     for (int i = 0; i < 1000; ++i)
-        all.push_back(normalize(vec3(random.uniform(), random.uniform(), random.uniform()) - 0.5f));
+        all.push_back(normalize(vec3(random.get_1d(), random.get_1d(), random.get_1d()) - 0.5f));
     for (const vec3 n : all) {
         const OrthonormalBasis pair = make_basis(n);
         const vec3 u = pair.u, v = pair.v;
@@ -35,7 +35,7 @@ TEST_CASE("a bounce has unit length and leaves above the surface") {
     Random random(2);
     for (const vec3 normal : normals) {
         std::vector<vec2> all{{0, 0}, {0, most}, {most, 0}, {most, most}, {0.5f, 0.25f}};
-        for (int i = 0; i < 2000; ++i) all.push_back(random.uniform2());
+        for (int i = 0; i < 2000; ++i) all.push_back(random.get_2d());
         for (const vec2 u : all) {
             const vec3 direction = sample_cosine_hemisphere(normal, u);
             INFO("normal " << to_text(normal) << ", u " << to_text(u) << ", direction "
@@ -53,7 +53,7 @@ TEST_CASE("bounces are denser around the normal by Lambert's cosine") {
         std::vector<double> found(10), even(10, 2000);
         Random random(3);
         for (int i = 0; i < 20'000; ++i) {
-            const float c = dot(sample_cosine_hemisphere(normal, random.uniform2()), normal);
+            const float c = dot(sample_cosine_hemisphere(normal, random.get_2d()), normal);
             cosine.add(double(c));
             inverse.add(c > 0.02f ? 1 / double(cosine_hemisphere_pdf(c)) : 0);
             found[std::size_t(std::clamp(int(c * c * 10), 0, 9))] += 1;
@@ -94,7 +94,7 @@ TEST_CASE("the pdf of bounces is that of the sampled directions") {
         std::vector<double> found(cosines * angles), expected(cosines * angles);
         Random random(5);
         for (int i = 0; i < samples; ++i) {
-            const vec3 direction = sample_cosine_hemisphere(normal, random.uniform2());
+            const vec3 direction = sample_cosine_hemisphere(normal, random.get_2d());
             const int row = std::clamp(int(dot(direction, normal) * cosines), 0, cosines - 1);
             found[std::size_t(row * angles + int(azimuth(normal, direction) * angles))] += 1;
         }
@@ -123,7 +123,7 @@ TEST_CASE("bounces are uniform in azimuth") {
         Mean with_height;
         Random random(7);
         for (int i = 0; i < 24'000; ++i) {
-            const vec3 direction = sample_cosine_hemisphere(normal, random.uniform2());
+            const vec3 direction = sample_cosine_hemisphere(normal, random.get_2d());
             const double turn = azimuth(normal, direction);
             found[std::size_t(turn * 24)] += 1;
             with_height.add(std::cos(2 * double(pi) * turn) * double(dot(direction, normal)));
@@ -140,7 +140,7 @@ TEST_CASE("unit vectors are uniform over the sphere and uniform bounces over the
     std::array<Mean, 3> mean, square;
     Random random(67);
     for (int i = 0; i < samples; ++i) {
-        const vec3 direction = sample_uniform_sphere(random.uniform2());
+        const vec3 direction = sample_uniform_sphere(random.get_2d());
         REQUIRE(length(direction) == approx(1));
         for (int k = 0; k < 3; ++k) {
             mean[std::size_t(k)].add(double(direction[k]));
@@ -157,7 +157,7 @@ TEST_CASE("unit vectors are uniform over the sphere and uniform bounces over the
     for (const vec3 normal : {normals[4], normals[2], normals[8]}) {
         std::vector<double> found(96), even(96, samples / 96.0);
         for (int i = 0; i < samples; ++i) {
-            const vec3 direction = sample_hemisphere(HemisphereSampling::uniform, normal, random.uniform2());
+            const vec3 direction = sample_hemisphere(HemisphereSampling::uniform, normal, random.get_2d());
             const float cosine = dot(direction, normal);
             REQUIRE_MESSAGE(cosine >= 0, "below the surface");
             const int row = std::clamp(int(cosine * 8), 0, 7);

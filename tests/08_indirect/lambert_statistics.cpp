@@ -32,7 +32,7 @@ Case make_case(Random& random, int number) {
     const auto point = [&](float x, float height, float y) {
         return center + x * right + height * up + y * forward;
     };
-    const auto spread = [&](float size) { return size * (2 * random.uniform() - 1); };
+    const auto spread = [&](float size) { return size * (2 * random.get_1d() - 1); };
 
     Case made;
     made.floor_size = std::array{1.0f, 10.0f, 100.0f, 1000.0f}[std::size_t(number % 4)];
@@ -45,7 +45,7 @@ Case make_case(Random& random, int number) {
     add_triangle(made.scene, corner[0], corner[3], corner[2], floor);
     made.normal = normalize(cross(corner[2] - corner[0], corner[1] - corner[0]));
 
-    const float height = 0.3f + 3 * random.uniform(), size = height * (0.6f + 0.6f * random.uniform());
+    const float height = 0.3f + 3 * random.get_1d(), size = height * (0.6f + 0.6f * random.get_1d());
     const float x = spread(half / 4), y = spread(half / 4);
     made.position = point(x, 0, y);
     const vec3 middle = point(x + spread(height / 2), height, y + spread(height / 2));

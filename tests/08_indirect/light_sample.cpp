@@ -21,8 +21,7 @@ TEST_CASE("the points sampled on a light are spread evenly over it") {
         std::vector<double> found(64), even(64, 500);
         Random random(17);
         for (int i = 0; i < 32'000; ++i)
-            found[std::size_t(std::clamp(cell_of(sample_area(light, random.uniform2()).position), 0, 63))] +=
-                1;
+            found[std::size_t(std::clamp(cell_of(sample_area(light, random.get_2d()).position), 0, 63))] += 1;
         return chi_square(found, even);
     };
     CHECK(cells(quad, [&](vec3 p) {
@@ -55,7 +54,7 @@ TEST_CASE("the points sampled on a light are on it and have its normal") {
     Mean height; // uniform directions have the mean cosine 1/2 over a hemisphere
     Random random(19);
     for (int i = 0; i < 3000; ++i) {
-        const vec2 u = random.uniform2();
+        const vec2 u = random.get_2d();
         const LightSample a = sample_area(quad, u), b = sample_area(triangle, u), c = sample_area(sphere, u);
         const vec2 uv = quad_uv(quad, dvec3(a.position));
         REQUIRE(min(uv, 1.0f - uv) == approx(max(min(uv, 1.0f - uv), vec2(0))));

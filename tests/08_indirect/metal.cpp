@@ -38,7 +38,7 @@ TEST_CASE(
             Random random(71);
             for (int i = 0; i < 20'000; ++i) {
                 const auto ray = scatter_metal(Metal{vec3(1), fuzz}, {vec3(1, 2, 3) - direction, direction},
-                                               hit, random.uniform2());
+                                               hit, random.get_2d());
                 lost.add(ray ? 0 : 1);
                 if (!ray) continue;
                 REQUIRE(dot(ray->direction, normal) > 0);

@@ -89,7 +89,7 @@ TEST_CASE("a white ball in a white world is invisible") {
     Random random(31);
     for (int i = 0; i < 2000; ++i) {
         const vec3 aim =
-            vec3(1, 2, -3) + 4.5f * (vec3(random.uniform(), random.uniform(), random.uniform()) - 0.5f);
+            vec3(1, 2, -3) + 4.5f * (vec3(random.get_1d(), random.get_1d(), random.get_1d()) - 0.5f);
         const Ray ray{{4, -1, 5}, 2.0f * (aim - vec3(4, -1, 5))};
         const vec3 got = radiance(scene, AreaLights{}, {.depth = 1, .roulette = false}, ray, random);
         INFO("got " << to_text(got)
@@ -116,7 +116,7 @@ TEST_CASE("nothing white, mirroring or clear is visible in a white world") {
     Random random(37);
     for (int i = 0; i < 4000; ++i) {
         const vec3 aim =
-            6.0f * vec3(random.uniform(), 0.1f + 0.6f * random.uniform(), random.uniform()) - vec3(3, 0, 3);
+            6.0f * vec3(random.get_1d(), 0.1f + 0.6f * random.get_1d(), random.get_1d()) - vec3(3, 0, 3);
         const Ray ray{{0.5f, 3, 8}, aim - vec3(0.5f, 3, 8)};
         const vec3 got = radiance(scene, AreaLights{}, {.depth = 5000, .roulette = false}, ray, random);
         INFO("towards " << to_text(aim) << " came " << to_text(got)
@@ -177,7 +177,7 @@ TEST_CASE("point lights light the first surface as they do in step 02") {
     Random random(43);
     for (int i = 0; i < 3000; ++i) {
         const vec3 aim =
-            7.0f * (vec3(random.uniform(), random.uniform(), random.uniform()) - vec3(0.5f, 0.3f, 0.8f));
+            7.0f * (vec3(random.get_1d(), random.get_1d(), random.get_1d()) - vec3(0.5f, 0.3f, 0.8f));
         const Ray ray{{0, 3, 7}, aim - vec3(0, 3, 7)};
         const auto hit = intersect(scene, ray);
         vec3 want(0);

@@ -1,5 +1,5 @@
 // Facts about the scenes that step 08 shares with other programs: positions, sizes, and published rules.
-#include "08_indirect/program/animal.h"
+#include "08_indirect/program/cat_room.h"
 #include "08_indirect/program/cornell.h"
 #include "08_indirect/radiance.h"
 #include "08_indirect/program/weekend.h"
@@ -96,7 +96,7 @@ TEST_CASE("the Cornell box is closed except for its front and green is on the le
     Random random(1);
     int through_the_front = 0;
     for (int i = 0; i < 20'000; ++i) {
-        const Ray ray{{278, 450, 200}, sample_uniform_sphere(random.uniform2())};
+        const Ray ray{{278, 450, 200}, sample_uniform_sphere(random.get_2d())};
         const float t = -ray.origin.z / ray.direction.z;
         const vec3 front = at(ray, t);
         const bool open = t > 0 && front.x > 0 && front.x < 555 && front.y > 0 && front.y < 555;
@@ -218,14 +218,14 @@ TEST_CASE("a list of balls becomes a scene with the same balls") {
 
 TEST_CASE("the cat's room is closed and the cat is inside") {
     Scene scene;
-    const LookAt look_at = animal(scene);
+    const LookAt look_at = cat_room(scene);
     build_bvhs(scene);
     CHECK(scene.mesh.triangles.size() >= 4000);
     const Aabb cat = bounds(scene.mesh);
     CHECK_MESSAGE(std::abs(cat.min.y) < 0.01f, "the cat must sit on the floor");
     Random random(2);
     for (int i = 0; i < 20'000; ++i) {
-        const Ray ray{look_at.from, sample_uniform_sphere(random.uniform2())};
+        const Ray ray{look_at.from, sample_uniform_sphere(random.get_2d())};
         INFO("towards " << to_text(ray.direction));
         REQUIRE_MESSAGE(intersect(scene, ray), "light leaks out of the room");
     }

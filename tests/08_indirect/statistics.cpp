@@ -165,7 +165,7 @@ TEST_CASE("camera and light can be exchanged: between matte surfaces the same li
             Random random(seed);
             Channels mean;
             for (int i = 0; i < 250'000; ++i) {
-                const vec3 direction = sample_area(Sphere{vec3(0), 1, 0}, random.uniform2()).normal;
+                const vec3 direction = sample_area(Sphere{vec3(0), 1, 0}, random.get_2d()).normal;
                 const vec3 got = radiance(scene, AreaLights{}, {.depth = depth}, {eye, direction}, random);
                 for (int k = 0; k < 3; ++k) mean[std::size_t(k)].add(double(got[k]));
             }
@@ -189,7 +189,7 @@ TEST_CASE("opposite faces of a cube have a form factor of .1998249 and adjacent 
         const AreaLights lights = collect_area_lights(scene);
         Random random(9);
         for (int i = 0; i < 300'000; ++i) {
-            const vec2 place = random.uniform2();
+            const vec2 place = random.get_2d();
             const Ray ray{{place.x, 1e-3f, place.y}, {0, -1, 0}};
             const vec3 chance =
                 radiance(scene, lights, {1, true, DirectLighting::bsdf_sampling, false}, ray, random);
@@ -224,7 +224,7 @@ TEST_CASE("A1 F12 = A2 F21 for lamps of different sizes") {
         Random random(seed);
         Mean mean;
         for (int i = 0; i < 100'000; ++i) {
-            const LightSample place = sample_area(receiver, random.uniform2());
+            const LightSample place = sample_area(receiver, random.get_2d());
             const vec3 normal =
                 dot(lamp.corner - place.position, place.normal) < 0 ? -place.normal : place.normal;
             const float error = position_error(place.position, place.position);
@@ -269,7 +269,7 @@ TEST_CASE("no path is negative or NaN in any scene") {
     for (std::uint64_t seed = 0; seed < 400; ++seed) {
         Random random(seed + 1000);
         const auto cube = [&](float size) {
-            const float x = random.uniform(), y = random.uniform(), z = random.uniform();
+            const float x = random.get_1d(), y = random.get_1d(), z = random.get_1d();
             return size * (2.0f * vec3(x, y, z) - 1.0f);
         };
         const auto colour = [&] { return 0.5f + cube(0.5f); };
@@ -277,21 +277,21 @@ TEST_CASE("no path is negative or NaN in any scene") {
         scene.sky = {colour(), colour()};
         const int picture = add(scene.textures, make_texture(Bitmap{1, 2, {65535, 0, 4711, 0, 65535, 1}}));
         for (int i = 0; i < 4; ++i) {
-            add(scene.materials, Diffuse{colour(), random.uniform() < 0.3f ? 1e4f * colour() : vec3(0)});
+            add(scene.materials, Diffuse{colour(), random.get_1d() < 0.3f ? 1e4f * colour() : vec3(0)});
             add(scene.materials, Checkerboard{colour(), colour(), 0.3f});
             add(scene.materials, Mirror{colour()});
-            add(scene.materials, Coated{random.uniform(), int(random.uniform() * 3)});
+            add(scene.materials, Coated{random.get_1d(), int(random.get_1d() * 3)});
             add(scene.materials,
-                Dielectric{{1 + 1.5f * random.uniform(), 2.0f * colour()}, {1 + random.uniform()}});
+                Dielectric{{1 + 1.5f * random.get_1d(), 2.0f * colour()}, {1 + random.get_1d()}});
             add(scene.materials,
-                ImageTexture{picture, colour(), random.uniform() < 0.3f ? colour() : vec3(0)});
-            add(scene.materials, Metal{colour(), random.uniform()});
+                ImageTexture{picture, colour(), random.get_1d() < 0.3f ? colour() : vec3(0)});
+            add(scene.materials, Metal{colour(), random.get_1d()});
         }
-        const auto material = [&] { return int(random.uniform() * 28); };
-        const auto dull = [&] { return 1 + 7 * int(random.uniform() * 4); }; // planes must not be emissive
+        const auto material = [&] { return int(random.get_1d() * 28); };
+        const auto dull = [&] { return 1 + 7 * int(random.get_1d() * 4); }; // planes must not be emissive
         for (int i = 0; i < 4; ++i) {
             const vec3 center = cube(2);
-            scene.spheres.push_back({center, 0.05f + random.uniform(), material()});
+            scene.spheres.push_back({center, 0.05f + random.get_1d(), material()});
             const vec3 corner = cube(2), u = cube(2);
             scene.quads.push_back({corner, u, cube(2), material()});
             const vec3 a = cube(2), b = cube(2);

@@ -20,7 +20,7 @@ TEST_CASE("a block finds the triangles that a ray hits whatever their size and d
         const int filled = 1 + round % accel::simd_width;
         for (int lane = 0; lane < filled; ++lane) {
             auto& corners = triangles[std::size_t(lane)];
-            const float size = std::pow(10.0f, 6 * random.uniform() - 3); // from a millimetre to a kilometre
+            const float size = std::pow(10.0f, 6 * random.get_1d() - 3); // from a millimetre to a kilometre
             const vec3 place = 3.0f * random_point(random) + vec3(2, -1, 0.5f);
             for (vec3& corner : corners) corner = place + size * (random_point(random) - 0.5f);
             set_lane(block, lane, corners, std::uint32_t(100 + lane));
@@ -28,7 +28,7 @@ TEST_CASE("a block finds the triangles that a ray hits whatever their size and d
         }
         // One ray aims at a triangle, the other starts a few rounding errors off it, like a shadow ray.
         const auto& [a, b, c] = triangles[std::size_t(round % filled)];
-        const float u = 0.05f + 0.45f * random.uniform(), v = 0.05f + 0.4f * random.uniform();
+        const float u = 0.05f + 0.45f * random.get_1d(), v = 0.05f + 0.4f * random.get_1d();
         const vec3 target = (1 - u - v) * a + u * b + v * c;
         const vec3 from = 8.0f * random_direction(random);
         for (const Ray& ray :
@@ -100,7 +100,7 @@ TEST_CASE("a block of spheres rejects none that a ray hits") {
         std::array<accel::Sphere, accel::simd_width> spheres;
         const int filled = 1 + round % accel::simd_width;
         for (int lane = 0; lane < filled; ++lane) {
-            spheres[std::size_t(lane)] = {4.0f * random_point(random), 2 * random.uniform() + 0.01f};
+            spheres[std::size_t(lane)] = {4.0f * random_point(random), 2 * random.get_1d() + 0.01f};
             if (lane == 3) spheres[3] = {{1, -1000, 2}, 1000}; // a floor
             set_lane(block, lane, spheres[std::size_t(lane)], std::uint32_t(lane));
         }
@@ -124,13 +124,13 @@ TEST_CASE("a block rejects no sphere that a ray grazes, near or far, small or la
     Random random(84);
     int hits = 0, misses = 0, lost = 0, off = 0;
     for (int i = 0; i < 20000; ++i) {
-        const float radius = std::pow(10.0f, 8 * random.uniform() - 4);
-        const float distance = radius * (1 + std::pow(10.0f, 6 * random.uniform() - 3));
+        const float radius = std::pow(10.0f, 8 * random.get_1d() - 4);
+        const float distance = radius * (1 + std::pow(10.0f, 6 * random.get_1d() - 3));
         const vec3 origin = 3.0f * random_direction(random), way = normalize(random_direction(random));
         const vec3 aside = normalize(cross(way, random_direction(random)));
         const Sphere sphere{origin + distance * way, radius, 0};
         const accel::Sphere same{sphere.center, sphere.radius};
-        const float beside = 1 + (random.uniform() - 0.5f) * std::pow(10.0f, -6 * random.uniform());
+        const float beside = 1 + (random.get_1d() - 0.5f) * std::pow(10.0f, -6 * random.get_1d());
         const Ray ray{origin, 0.3f * (distance * way + radius * beside * aside)};
         accel::SphereN block{};
         set_lane(block, i % accel::simd_width, same, 0);

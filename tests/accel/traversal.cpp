@@ -146,7 +146,7 @@ TEST_CASE("triangles are numbered consecutively through all meshes of a tree") {
 TEST_CASE("a tree of spheres finds the same hits as testing every sphere to the last bit") {
     Random random(85);
     std::vector<accel::Sphere> spheres;
-    for (int i = 0; i < 500; ++i) spheres.push_back({random_point(random), 0.08f * random.uniform() + 1e-3f});
+    for (int i = 0; i < 500; ++i) spheres.push_back({random_point(random), 0.08f * random.get_1d() + 1e-3f});
     const auto bvh = accel::build_sphere_bvh(spheres);
     int hits = 0, different = 0, shadows = 0;
     for (int i = 0; i < 3000; ++i) {
@@ -181,8 +181,8 @@ TEST_CASE("a ray aimed at an edge or a vertex that triangles share never slips t
             const int count = 4000;
             for (int i = 0; i < count; ++i) {
                 const auto [a, b, c] = vertices(
-                    subject.mesh, std::uint32_t(random.uniform() * float(subject.mesh.triangles.size())));
-                const float weight = i % 5 == 0 ? 0.0f : random.uniform();
+                    subject.mesh, std::uint32_t(random.get_1d() * float(subject.mesh.triangles.size())));
+                const float weight = i % 5 == 0 ? 0.0f : random.get_1d();
                 const vec3 target = mix(a, b, weight);
                 const bool rim = target.z == 0.3f && (std::min(target.x, target.y) < 1e-6f ||
                                                       std::max(target.x, target.y) > 1 - 1e-6f);

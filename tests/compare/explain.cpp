@@ -123,8 +123,7 @@ TEST_CASE("a picture with an unknown cause is not explained") {
     for (int y = 20; y < 40; ++y)
         for (int x = 20; x < 40; ++x) ball(x, y) = vec3(0.9f, 0.1f, 0.1f);
     const Image lifted = changed(right, [](vec3 c) { return c + 0.1f; });
-    const Image random =
-        changed(right, [source = Random(5)](vec3) mutable { return vec3(source.uniform()); });
+    const Image random = changed(right, [source = Random(5)](vec3) mutable { return vec3(source.get_1d()); });
     for (const std::string& how : storages) {
         INFO(how);
         CHECK(explained(ball, right, how) == none_of_these);

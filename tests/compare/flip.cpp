@@ -68,7 +68,7 @@ double hashed(int x, int y, int k) {
 Image lively(int width, int height, std::uint64_t seed) {
     Image image(width, height);
     Random random(seed);
-    for (vec3& pixel : image.pixels) pixel = {random.uniform(), random.uniform(), random.uniform()};
+    for (vec3& pixel : image.pixels) pixel = {random.get_1d(), random.get_1d(), random.get_1d()};
     return image;
 }
 

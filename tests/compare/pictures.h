@@ -65,7 +65,7 @@ struct NoisyPicture {
                 Random random(x, y, 0, seed);
                 double sum = 0, squares = 0;
                 for (int i = 0; i < samples; ++i) {
-                    const double weight = -std::log(1 - double(random.uniform()));
+                    const double weight = -std::log(1 - double(random.get_1d()));
                     sum += weight;
                     squares += weight * weight;
                 }

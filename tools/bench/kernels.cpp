@@ -41,12 +41,12 @@ auto inputs(auto make) {
 
 /// Returns a ray from around the origin, in a direction around the z axis.
 Ray random_ray(Random& random) {
-    const vec3 origin(random.uniform(), random.uniform(), random.uniform());
-    return {origin - 0.5f, sample_cosine_hemisphere({0, 0, 1}, random.uniform2())};
+    const vec3 origin(random.get_1d(), random.get_1d(), random.get_1d());
+    return {origin - 0.5f, sample_cosine_hemisphere({0, 0, 1}, random.get_2d())};
 }
 
 const std::vector<Ray> rays = inputs(random_ray);
-const std::vector<vec2> numbers = inputs([](Random& random) { return random.uniform2(); });
+const std::vector<vec2> numbers = inputs([](Random& random) { return random.get_2d(); });
 
 void add_lesson_kernels() {
     static const auto slabs = inputs([](Random& random) { return slab_ray(random_ray(random)); });
@@ -59,7 +59,7 @@ void add_lesson_kernels() {
     add_kernel("ray and box", [=](Index i) { return intersect(box, slabs[i], 0, infinity); });
     add_kernel("ray and triangle", [=](Index i) { return intersect(a, b, c, rays[i]); });
     add_kernel("ray and sphere", [=](Index i) { return intersect(sphere, rays[i]); });
-    add_kernel("random number", [random = Random(5)](Index) mutable { return random.uniform(); });
+    add_kernel("random number", [random = Random(5)](Index) mutable { return random.get_1d(); });
     add_kernel("Fresnel", [](Index i) { return fresnel_dielectric(numbers[i].x, 1 / 1.5f); });
     add_kernel("texture, bilinear", [](Index i) { return bilinear(globe, numbers[i]); });
     add_kernel("cosine direction",
@@ -102,7 +102,7 @@ void flip_images(benchmark::State& state) {
     Random random(3);
     Image a(1024, 768), b(1024, 768);
     for (Image* image : {&a, &b})
-        for (vec3& pixel : image->pixels) pixel = {random.uniform(), random.uniform(), random.uniform()};
+        for (vec3& pixel : image->pixels) pixel = {random.get_1d(), random.get_1d(), random.get_1d()};
     for (auto _ : state) benchmark::DoNotOptimize(rt::compare::flip(a, b).mean);
 }
 

@@ -23,17 +23,17 @@ inline LookAt weekend_camera(Scene& scene) {
 /// Returns the material of a small sphere: matte with a probability of 80 %, metal 15 %, glass 5 %.
 inline Material weekend_material(Random& random) {
     const auto three = [&] {
-        const float x = random.uniform(), y = random.uniform(), z = random.uniform();
+        const float x = random.get_1d(), y = random.get_1d(), z = random.get_1d();
         return vec3(x, y, z);
     };
-    const float kind = random.uniform();
+    const float kind = random.get_1d();
     if (kind < 0.8f) {
         const vec3 albedo = three();
         return Diffuse{albedo * three()};
     }
     if (kind >= 0.95f) return Dielectric{{1.5f}};
     const vec3 reflectance = 0.5f + 0.5f * three();
-    return Metal{reflectance, 0.5f * random.uniform()};
+    return Metal{reflectance, 0.5f * random.get_1d()};
 }
 
 /// Builds the book's scene, identical on every run.
@@ -45,8 +45,8 @@ inline LookAt weekend(Scene& scene) {
     Random random(22);
     for (int a = -11; a < 11; ++a)
         for (int b = -11; b < 11; ++b) {
-            const float x = float(a) + 0.9f * random.uniform();
-            const float z = float(b) + 0.9f * random.uniform();
+            const float x = float(a) + 0.9f * random.get_1d();
+            const float z = float(b) + 0.9f * random.get_1d();
             const Material material = weekend_material(random);
             if (distance(vec3(x, 0.2f, z), vec3(4, 0.2f, 0)) > 0.9f) ball({x, 0.2f, z}, 0.2f, material);
         }

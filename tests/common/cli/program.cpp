@@ -77,7 +77,7 @@ struct Run {
 
 rt::vec3 gradient(rt::PixelSample& sample) {
     ++rt::ray_stats.rays;
-    return {float(sample.x) / 8, float(sample.y) / 5, sample.random.uniform()};
+    return {float(sample.x) / 8, float(sample.y) / 5, sample.random.get_1d()};
 }
 
 Run run(const std::vector<std::string>& words, const std::function<void(const rt::RenderFunction&)>& body) {

@@ -58,7 +58,7 @@ void check_uniform(const std::vector<float>& numbers) {
 std::vector<float> one_stream() {
     rt::Random random(20, 30, 4, 1);
     std::vector<float> numbers(size);
-    for (float& u : numbers) u = random.uniform();
+    for (float& u : numbers) u = random.get_1d();
     return numbers;
 }
 
@@ -68,7 +68,7 @@ std::vector<float> first_numbers(int dx, int dy, int dsample, int dseed) {
     std::vector<float> numbers;
     for (int y = 0; y < 1024; ++y)
         for (int x = 0; x < 1024; ++x)
-            numbers.push_back(rt::Random(x + dx, y + dy, dsample, std::uint64_t(1 + dseed)).uniform());
+            numbers.push_back(rt::Random(x + dx, y + dy, dsample, std::uint64_t(1 + dseed)).get_1d());
     return numbers;
 }
 
@@ -113,11 +113,11 @@ TEST_CASE("the first random numbers are fixed on every machine") {
     CHECK(keyed.bits() == 0x989b3f130a063869);
 }
 
-TEST_CASE("uniform is the top 24 bits as a fraction and uniform2 draws x before y") {
+TEST_CASE("get_1d is the top 24 bits as a fraction and get_2d draws x before y") {
     rt::Random random(0, 0, 0, 1);
-    CHECK(random.uniform() == 4293041 / 16777216.0f);
-    CHECK(random.uniform() == 1481828 / 16777216.0f);
-    const rt::vec2 point = random.uniform2();
+    CHECK(random.get_1d() == 4293041 / 16777216.0f);
+    CHECK(random.get_1d() == 1481828 / 16777216.0f);
+    const rt::vec2 point = random.get_2d();
     CHECK(point.x == 4873704 / 16777216.0f);
     CHECK(point.y == 9500655 / 16777216.0f);
 }
@@ -144,7 +144,7 @@ TEST_CASE("different pixels, samples and seeds have different streams") {
     CHECK(firsts.size() == streams);
 }
 
-TEST_CASE("uniform is at least 0 and below 1 with mean 1/2 and variance 1/12") {
+TEST_CASE("get_1d is at least 0 and below 1 with mean 1/2 and variance 1/12") {
     double sum = 0, squares = 0;
     float least = 1, most = 0;
     for (const float u : one_stream()) {
@@ -164,7 +164,7 @@ TEST_CASE("uniform is at least 0 and below 1 with mean 1/2 and variance 1/12") {
 
 TEST_CASE("the largest bits still give a number below 1") {
     constexpr std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
-    CHECK(float(most >> 40) * 0x1p-24f < 1.0f); // what uniform() does with them; 25 bits would round up
+    CHECK(float(most >> 40) * 0x1p-24f < 1.0f); // what get_1d() does with them; 25 bits would round up
     CHECK(float(most >> 39) * 0x1p-25f == 1.0f);
 }
 
@@ -200,12 +200,12 @@ TEST_CASE("neighbouring pixels, samples and seeds are uncorrelated") {
 }
 
 TEST_CASE("pairs of numbers fill the unit square evenly") {
-    // 16 x 16 cells, from the two numbers of uniform2, over the pixels of a picture:
+    // 16 x 16 cells, from the two numbers of get_2d, over the pixels of a picture:
     // stripes would be detected here.
     std::vector<float> cells;
     for (int y = 0; y < 512; ++y) {
         for (int x = 0; x < 512; ++x) {
-            const rt::vec2 point = rt::Random(x, y, 0, 1).uniform2();
+            const rt::vec2 point = rt::Random(x, y, 0, 1).get_2d();
             cells.push_back((std::floor(point.x * 16) * 16 + std::floor(point.y * 16) + 0.5f) / 256);
         }
     }

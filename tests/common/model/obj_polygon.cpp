@@ -47,7 +47,7 @@ std::vector<vec3> comb(int teeth) {
 std::vector<vec3> star(int count, Random& random) {
     std::vector<vec3> corners;
     for (int i = 0; i < count; ++i) {
-        const float angle = 2 * pi * float(i) / float(count), radius = 1 + 2 * random.uniform();
+        const float angle = 2 * pi * float(i) / float(count), radius = 1 + 2 * random.get_1d();
         corners.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0);
     }
     return corners;
@@ -104,7 +104,7 @@ TEST_CASE("a polygon of 1000 corners costs less than 50 triangles per corner and
 TEST_CASE("a polygon that crosses itself many times is split into n - 2 triangles in acceptable time") {
     Random random(43);
     std::vector<vec3> corners;
-    for (int i = 0; i < 2000; ++i) corners.emplace_back(random.uniform(), random.uniform(), 0.0f);
+    for (int i = 0; i < 2000; ++i) corners.emplace_back(random.get_1d(), random.get_1d(), 0.0f);
     CHECK(triangulate(corners).size() == 1998);
     CHECK(cpu_seconds_to_cut(corners) < 1); // 0.02 s on a quiet machine
 }

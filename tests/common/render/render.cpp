@@ -30,8 +30,8 @@ rt::RenderSettings picture(int width, int height, int samples, int threads) {
 
 /// Noise that depends on all fields of a sample, with sums that round.
 rt::vec3 noise(rt::PixelSample& sample) {
-    const float u = sample.random.uniform();
-    const float v = sample.random.uniform();
+    const float u = sample.random.get_1d();
+    const float v = sample.random.get_1d();
     return {u * float(sample.x) + 0.1f, v / float(sample.y + 1), u * v * float(sample.index)};
 }
 
@@ -154,7 +154,7 @@ TEST_CASE("the variance predicts how much the mean of another seed differs") {
     // is 15/13 (Student's t with 15 degrees of freedom) and its deviation about sqrt(2.7 + ...) / 64 <
     // 0.04; 0.2 is 5 deviations.
     const rt::Film film = rt::render(
-        picture(64, 64, 16, 2), [](rt::PixelSample& sample) { return rt::vec3(sample.random.uniform()); });
+        picture(64, 64, 16, 2), [](rt::PixelSample& sample) { return rt::vec3(sample.random.get_1d()); });
     double sum = 0;
     for (std::size_t i = 0; i < film.mean.pixels.size(); ++i) {
         const double off = double(film.mean.pixels[i].x) - 0.5;

@@ -7,7 +7,7 @@
 
 namespace rt {
 
-inline LookAt animal(Scene& scene) {
+inline LookAt cat_room(Scene& scene) {
     const int wall = add(scene.materials, Diffuse{{0.72f, 0.66f, 0.56f}});
     const int blue = add(scene.materials, Diffuse{{0.16f, 0.3f, 0.42f}});
     const int ceiling = add(scene.materials, Diffuse{vec3(0.78f)});
