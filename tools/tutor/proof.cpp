@@ -37,9 +37,10 @@ Outcome run_checks(const Toolchain& tools, const Change& change) {
     return outcome;
 }
 
-bool render_picture(const Toolchain& tools, const Change& change, const fs::path& picture) {
+bool render_picture(const Toolchain& tools, const Change& change, const fs::path& picture,
+                    const Words& options) {
     const fs::path stamp = fs::path(picture).replace_extension(".key");
-    const std::string key = dependency_key(tools, change, program_source(change.step));
+    const std::string key = joined(options, " ") + dependency_key(tools, change, program_source(change.step));
     if (fs::exists(stamp) && read_file(stamp.string()) == key) return fs::exists(picture);
     const TemporaryFolder scratch(tools.work);
     const Outcome built = build_step(tools, change, scratch.path);
@@ -48,7 +49,10 @@ bool render_picture(const Toolchain& tools, const Change& change, const fs::path
     fs::remove(picture);
     Words command{
         (scratch.path / "program").string(), "--quiet", "--threads", "1", "--out", picture.string()};
-    append(command, gallery_flags(tools.root, change.step));
+    append(command, options);
+    const Words flags = gallery_flags(tools.root, change.step);
+    for (std::size_t i = 0; i < flags.size(); i += 2)
+        if (!contains(options, flags[i])) append(command, {flags[i], flags[i + 1]});
     run_process(command, {.log = scratch.path / "log", .cpu_seconds = 30, .seconds = 300});
     write_file(stamp.string(), key);
     return fs::exists(picture);

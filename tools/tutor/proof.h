@@ -16,8 +16,9 @@ std::string proof_key(const Toolchain& tools, const std::string& step);
 /// files of the changed headers come first, slow statistics last. Throws Error if the tools do not work.
 Outcome run_checks(const Toolchain& tools, const Change& change);
 
-/// Compiles the step's program with the change and renders a small picture. Returns false if it
-/// produced no picture.
-bool render_picture(const Toolchain& tools, const Change& change, const std::filesystem::path& picture);
+/// Compiles the step's program with the change and renders a small picture; `options` are the program's. Returns false if
+/// it produced no picture.
+bool render_picture(const Toolchain& tools, const Change& change, const std::filesystem::path& picture,
+                    const Words& options = {});
 
 } // namespace rt::tutor
