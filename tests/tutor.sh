@@ -43,7 +43,7 @@ refuses() { # $1: a part of the line; the rest: the arguments
 # A learner's session.
 says "next: ./learn start 01" status
 [ ! -e "$workshop" ] || wrong "showing the status creates a folder"
-says "Write 5 functions" start 03
+says "Write 3 functions" start 03
 gap=$(grep -n "TODO: turn ray.direction" "$workshop/03_mirror/mirror.h" | cut -d: -f1)
 [[ $said == *"mirror.h:$gap  reflected_ray"* ]] || wrong "start 03: expected 'mirror.h:$gap  reflected_ray', got: $said"
 says "mirror.h already exists" start 3
@@ -59,7 +59,7 @@ says "start again with the first" hint 03 reflected_ray --reset
 says "-    return spawn_ray(hit, reflect(ray.direction, hit.shading_normal));" diff 03 mirror.h
 grep -v '^ *//[<>]' "$project/steps/03_mirror/mirror.h" >"$workshop/03_mirror/mirror.h"
 says "mirror.h: same as the reference" diff 03 mirror.h
-says "2 of 5 functions started" status
+says "2 of 3 functions started" status
 says "to restore it: mv '" undo 03 mirror.h
 [ ! -e "$workshop/03_mirror/mirror.h" ] || wrong "undo does not move the file"
 back=$(printf '%s\n' "$said" | sed -n 's/^ *to restore it: //p')
