@@ -44,7 +44,7 @@ refuses() { # $1: a part of the line; the rest: the arguments
 says "next: ./learn start 01" status
 [ ! -e "$workshop" ] || wrong "showing the status creates a folder"
 says "Write 3 functions" start 03
-gap=$(grep -n "TODO: turn ray.direction" "$workshop/03_mirror/mirror.h" | cut -d: -f1)
+gap=$(grep -n "TODO: where does the reflected ray start" "$workshop/03_mirror/mirror.h" | cut -d: -f1)
 [[ $said == *"mirror.h:$gap  reflected_ray"* ]] || wrong "start 03: expected 'mirror.h:$gap  reflected_ray', got: $said"
 says "mirror.h already exists" start 3
 says "next: write reflect in" status
