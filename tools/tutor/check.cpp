@@ -129,7 +129,8 @@ void render_mine(const Session& session, Samples samples) {
                   .program = session.findings.scratch / "program",
                   .references = reference_folder(session.project.root),
                   .out = session.findings.scratch / "picture",
-                  .samples = samples};
+                  .samples = samples,
+                  .flags = own_tree_flags(session.project, session.step())};
     make_folder(job.out);
     PictureFinding& picture = session.findings.picture;
     if (!cut.empty()) {
@@ -143,6 +144,7 @@ void render_mine(const Session& session, Samples samples) {
         picture.verdict = "partial"; // the step is not done
         picture.lines = {"the same as the reference makes with the functions that you have written"};
     }
+    if (!job.flags.empty()) picture.lines.front() += ", rendered with your bvh.h";
     if (!cut.empty()) picture.complete = true;
     if (cut.empty() && picture.comparison && !picture.holds)
         session.findings.similar_mistakes = similar_mistakes(job);
