@@ -449,6 +449,20 @@ void print_notes(const Session& session) {
         session.screen.line("note", "no file has changed since the last check", Colour::grey);
 }
 
+/// Says what differs between the reference's files and what the learner may expect of them.
+void print_reference_notes(const Session& session) {
+    const std::string folder = display_path(session.project.workshop / session.step());
+    for (const std::string& file : edited_references(session.project, session.step()))
+        session.screen.line("note", file + " is the reference, but it is edited; yours are in " + folder,
+                            Colour::yellow);
+    for (const std::string& file : outdated_files(session.project, session.step()))
+        session.screen.line("note",
+                            "the given part of " + folder + "/" + file +
+                                " has changed in the reference; to merge that: ./learn start " +
+                                number_of(session.step()) + " --merge",
+                            Colour::yellow);
+}
+
 /// The exercise that contains the line of a compile error in the learner's file.
 const Gap* gap_at(const Findings& findings, const CompileError& error) {
     const Gap* nearest = nullptr;
@@ -573,6 +587,7 @@ int check_step(const Project& project, const CheckOptions& options, std::ostream
     findings.scratch = scratch.path;
     const Session session{project, options, tools, screen, findings};
     print_notes(session);
+    if (started) print_reference_notes(session);
     bool compiles = true;
     try {
         blank ? greet(session) : check_all(session);

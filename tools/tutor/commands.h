@@ -15,6 +15,9 @@ namespace rt::tutor {
 /// Writes the stubs of a step into the workshop, and lists the functions to write.
 void start_step(const Project& project, const std::string& step, std::ostream& out);
 
+/// Merges what has changed in the given parts of the learner's files, since ./learn start, into these files.
+void merge_step(const Project& project, const std::string& step, std::ostream& out);
+
 /// Prints the learner's progress in all steps, and what to do next.
 void show_status(const Project& project, std::ostream& out);
 

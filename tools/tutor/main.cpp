@@ -26,7 +26,7 @@ namespace {
 struct Arguments {
     std::string root = ".", workshop, build, step, name, junit;
     Words steps;
-    bool again = false, all = false, reset = false, no_picture = false;
+    bool merge = false, again = false, all = false, reset = false, no_picture = false;
     Pixel pixel;
     BenchOptions bench;
     FuzzOptions fuzz;
@@ -99,12 +99,14 @@ void add_hint(CLI::App& app, Arguments& given) {
 }
 
 void add_workshop_commands(CLI::App& app, Arguments& given) {
-    add_step(add_command(app, "start",
-                         "Copies the files of a step into workshop/, with gaps for you to fill in. Never "
-                         "overwrites a file.",
-                         [&given] { start_step(given.project(), given.full_step(), std::cout); }),
-             given)
-        ->required();
+    CLI::App* const start = add_command(
+        app, "start",
+        "Copies the files of a step into workshop/, with gaps for you to fill in. Never overwrites a file.",
+        [&given] { (given.merge ? merge_step : start_step)(given.project(), given.full_step(), std::cout); });
+    add_step(start, given)->required();
+    start->add_flag("--merge", given.merge,
+                    "merge what has changed in the reference since then into your files, which are kept in "
+                    "workshop/.backup/");
     add_check(
         app, given, "check",
         "Builds your files, runs the checks of the step and of the earlier steps, renders, compares the "
