@@ -77,6 +77,24 @@ for step in 08 01 07 02 06 03 05 04; do
     done
 done
 
+# clangd finds the learner's headers before those of steps/.
+[ "$(grep -m1 '^-I' "$workshop/compile_flags.txt")" = -I. ] || wrong "compile_flags.txt does not begin with the workshop"
+
+# Scenes of one's own.
+says "./learn run 08 --scene lamp" scene lamp
+grep -q '"08_indirect/scene.h"' "$workshop/scenes/lamp.cpp" || wrong "the example does not include the step's scene"
+says "./learn run 07 --scene chart" scene chart 7
+refuses "lamp.cpp exists already" scene lamp
+refuses "only letters, digits and _" scene a/b
+refuses "from 05 on" scene early 04
+refuses "from 05 on" run 04 --scene lamp
+refuses "there is no" run 06 --scene none
+refuses 'must have #include "06_textures/scene.h"' run 06 --scene lamp
+
+# A machine without a debugger.
+said=$(PATH=$folder/none "$tutor" --root "$project" --workshop "$workshop" debug 03 2>&1)
+[ $? = 2 ] && [[ $said == *"there is no gdb and no lldb here"* ]] || wrong "debug without a debugger: $said"
+
 # Wrong arguments.
 refuses "there is no step '9'" start 9
 refuses "there is no step '03/..'" hint 03/..
@@ -101,7 +119,7 @@ workshop=$folder/full
 left=$(find "$workshop" -type f)
 [ -z "$left" ] || wrong "a full disk leaves $left"
 
-for word in start status hint diff undo; do
+for word in start status hint diff undo scene debug; do
     "$project/learn" --help | grep -q "learn $word" || wrong "./learn --help does not name $word"
 done
 exit $bad

@@ -41,6 +41,20 @@ void undo_files(const Project& project, const std::string& step, const std::stri
 /// the references. Returns the exit code: 1 if a picture differs.
 int run_steps(const Project& project, const std::string& step, const Words& flags);
 
+/// Writes workshop/scenes/NAME.cpp, an example of a scene for the program of this step. Throws Error if it exists.
+void write_scene(const Project& project, const std::string& name, const std::string& step, std::ostream& out);
+
+/// Returns whether the learner has a scene of that name.
+bool has_scene(const Project& project, const std::string& name);
+
+/// Builds the step's program with a scene of the learner's own, renders it to workshop/renders/, and writes a page
+/// with all pictures there. Returns the program's exit code.
+int run_scene(const Project& project, const std::string& step, const std::string& name, const Words& flags);
+
+/// Builds the learner's program of a step for a debugger, and starts gdb, or lldb, on it, with further flags for the
+/// program; `only_build`: for an editor's debugger.
+void debug_step(const Project& project, const std::string& step, const Words& flags, bool only_build);
+
 /// Renders the reference of a step, or of all steps if `step` is empty, and their contact sheet.
 void make_references(const Project& project, const std::string& step);
 

@@ -139,6 +139,25 @@ void write_stubs(const Project& project, const std::string& step, const Contents
     }
 }
 
+/// Writes workshop/compile_flags.txt, by which clangd finds the learner's headers before those of steps/, if there is
+/// none yet.
+void write_compile_flags(const Project& project) {
+    const fs::path path = project.workshop / "compile_flags.txt";
+    const fs::path packages = project.root / "build/release/prove/toolchain.txt";
+    std::error_code ignored;
+    if (fs::exists(path, ignored)) return;
+    Words flags{"-xc++", "-std=c++20", "-Wno-pragma-once-outside-header"};
+    for (const fs::path& folder : {project.workshop, steps_folder(project), project.root})
+        flags.push_back("-I" + fs::proximate(folder, project.workshop).generic_string());
+    if (fs::exists(packages, ignored))
+        for (const std::string& line : lines_of(read_file(packages.string())))
+            if (const std::string flag = line.substr(std::min<std::size_t>(line.size(), 5));
+                (flag.starts_with("-D") || flag.starts_with("-I")) && flag != "-I/usr/include" &&
+                !contains(flags, flag))
+                flags.push_back(flag);
+    write_file(path.string(), joined(flags, "\n") + "\n");
+}
+
 void list_tasks(const Project& project, const std::vector<Exercise>& exercises, std::ostream& out) {
     for (const Exercise& exercise : exercises) {
         const fs::path path = project.workshop / exercise.step / exercise.file;
@@ -179,6 +198,7 @@ void start_step(const Project& project, const std::string& step, std::ostream& o
     make_folder(project.workshop / step);
     out << "Step " << number << ": " << question_of(project, step) << "\n\n";
     write_stubs(project, step, missing_stubs(project, step, exercises, out), out);
+    write_compile_flags(project);
     out << "\nWrite " << exercises.size() << " functions. This is a good order:\n";
     list_tasks(project, exercises, out);
     out << "\n";

@@ -26,8 +26,8 @@ struct Gap {
 std::vector<Gap> gaps_of(const Project& project, const std::string& step);
 
 /// Returns {"--accel", "bvh"} for the program of a step after 05, which uses the wide tree by default, if the learner has
-/// written bvh.h and nothing of step 05 is missing; otherwise nothing.
-Words own_tree_flags(const Project& project, const std::string& step);
+/// written bvh.h and nothing of step 05 is missing; nothing otherwise, and if the `given` flags choose.
+Words own_tree_flags(const Project& project, const std::string& step, const Words& given = {});
 
 /// Returns the learner's headers of the steps up to `step` as they are, with #line directives.
 Headers own_headers(const Project& project, const std::string& step);

@@ -26,7 +26,7 @@ namespace {
 struct Arguments {
     std::string root = ".", workshop, build, step, name, junit;
     Words steps;
-    bool merge = false, again = false, all = false, reset = false, no_picture = false;
+    bool merge = false, only_build = false, again = false, all = false, reset = false, no_picture = false;
     Pixel pixel;
     BenchOptions bench;
     FuzzOptions fuzz;
@@ -181,6 +181,30 @@ void add_trace(CLI::App& app, Arguments& given) {
     trace->allow_extras();
 }
 
+void add_own_programs(CLI::App& app, Arguments& given) {
+    CLI::App* const debug =
+        add_command(app, "debug",
+                    "Builds your program of a step for a debugger, and starts gdb, or lldb, on it. Further "
+                    "flags are passed "
+                    "to the program; by default it uses one thread and one sample per pixel.",
+                    [&given, &app] {
+                        debug_step(given.project(), given.full_step(),
+                                   app.get_subcommand("debug")->remaining(), given.only_build);
+                    });
+    add_step(debug, given);
+    debug->add_flag("--only-build", given.only_build,
+                    "only build build/debugger/NN_name, for the debugger of an editor");
+    debug->allow_extras();
+    CLI::App* const scene = add_command(
+        app, "scene", "Writes workshop/scenes/NAME.cpp, an example of a scene of your own.", [&given] {
+            const Project project = given.project();
+            write_scene(project, given.name, find_step(project, given.step.empty() ? "08" : given.step),
+                        std::cout);
+        });
+    scene->add_option("NAME", given.name, "such as lamp")->required();
+    scene->add_option("STEP", given.step, "the step that shows it, from 05 on; by default 08");
+}
+
 void add_test(CLI::App& app, Arguments& given) {
     CLI::App* const test =
         add_command(app, "test", "Builds and runs all checks, or those of one step or group.",
@@ -286,6 +310,7 @@ int run(int argc, char** argv) {
     add_workshop_commands(app, given);
     add_run(app, given);
     add_trace(app, given);
+    add_own_programs(app, given);
     add_test(app, given);
     add_bench(app, given);
     add_fuzz(app, given);

@@ -65,11 +65,9 @@ void compare(const Project& project, Row& row) {
 }
 
 /// Returns the flags to render with the learner's own tree, and says so; nothing if the user chooses one.
-Words tree_flags(const Project& project, const std::string& step, const Words& flags) {
-    const auto chooses = [](const std::string& flag) { return flag.starts_with("--accel"); };
-    const Words own = own_tree_flags(project, step);
-    if (own.empty() || std::ranges::any_of(flags, chooses)) return {};
-    std::cout << step << " renders with your bvh.h (--accel wide is faster)" << std::endl;
+Words tree_flags(const Project& project, const std::string& step, const Words& given) {
+    const Words own = own_tree_flags(project, step, given);
+    if (!own.empty()) std::cout << step << " renders with your bvh.h (--accel wide is faster)" << std::endl;
     return own;
 }
 
@@ -208,7 +206,26 @@ void make_reference(const Preset& preset, const std::string& step, const fs::pat
 
 } // namespace
 
-int run_steps(const Project& project, const std::string& step, const Words& flags) {
+namespace {
+
+/// Takes --scene NAME out of the flags and returns the name, unless it is one of the program's own scenes; then, and
+/// without --scene, nothing.
+std::string take_scene(const Project& project, const std::string& step, Words& flags) {
+    const auto option = std::ranges::find(flags, "--scene");
+    if (option == flags.end() || option + 1 == flags.end()) return "";
+    const std::string name = option[1];
+    const bool has_others = step.starts_with("08_");
+    if (has_others && !has_scene(project, name)) return "";
+    flags.erase(option, option + 2);
+    return name;
+}
+
+} // namespace
+
+int run_steps(const Project& project, const std::string& step, const Words& given) {
+    Words flags = given;
+    if (const std::string scene = take_scene(project, step, flags); !scene.empty())
+        return run_scene(project, step, scene, flags);
     const Preset preset{project.root};
     make_folder(project.root / "renders");
     make(preset, {step.empty() ? "programs" : step});
