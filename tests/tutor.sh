@@ -88,7 +88,7 @@ refuses "lamp.cpp exists already" scene lamp
 refuses "only letters, digits and _" scene a/b
 refuses "from 05 on" scene early 04
 refuses "from 05 on" run 04 --scene lamp
-refuses "there is no" run 06 --scene none
+refuses "there is no" run 06 --scene=none
 refuses 'must have #include "06_textures/scene.h"' run 06 --scene lamp
 
 # A machine without a debugger.

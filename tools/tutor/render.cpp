@@ -211,12 +211,15 @@ namespace {
 /// Takes --scene NAME out of the flags and returns the name, unless it is one of the program's own scenes; then, and
 /// without --scene, nothing.
 std::string take_scene(const Project& project, const std::string& step, Words& flags) {
-    const auto option = std::ranges::find(flags, "--scene");
-    if (option == flags.end() || option + 1 == flags.end()) return "";
-    const std::string name = option[1];
+    const std::string begin = "--scene=";
+    const auto option = std::ranges::find_if(
+        flags, [&](const std::string& flag) { return flag == "--scene" || flag.starts_with(begin); });
+    const bool joined = option != flags.end() && option->starts_with(begin);
+    if (option == flags.end() || (!joined && option + 1 == flags.end())) return "";
+    const std::string name = joined ? option->substr(begin.size()) : option[1];
     const bool has_others = step.starts_with("08_");
     if (has_others && !has_scene(project, name)) return "";
-    flags.erase(option, option + 2);
+    flags.erase(option, option + (joined ? 1 : 2));
     return name;
 }
 
