@@ -63,6 +63,7 @@ Words debugger_command(const fs::path& program) {
 
 /// Compiles the step's program with the files in the workshop, not optimised.
 void build_for_debugger(const Project& project, const std::string& step, const fs::path& program) {
+    std::cout << "building " << display_path(program) << " ..." << std::endl;
     const Toolchain tools = own_toolchain(project);
     const fs::path log = tools.work / "debug.log";
     Words command{tools.compiler, "-I" + project.workshop.string(), "-I" + steps_folder(project).string()};
@@ -70,7 +71,6 @@ void build_for_debugger(const Project& project, const std::string& step, const f
     append(command, {"-w", "-O0", "-g", (project.root / program_source(step)).string()});
     append(command, tools.libraries);
     append(command, {"-pthread", "-o", program.string()});
-    std::cout << "building " << display_path(program) << " ..." << std::endl;
     if (run_process(command, {.log = log}).code != 0) refuse(read_file(log.string()));
 }
 
@@ -136,11 +136,11 @@ fs::path write_gallery(const fs::path& folder) {
 /// Compiles the step's program with the scene in place, and the learner's files.
 void build_with_scene(const Project& project, const std::string& step, const std::string& path,
                       const std::string& text, const fs::path& folder) {
+    std::cout << "building step " << number_of(step) << " with " << path << " ..." << std::endl;
     const Toolchain tools = own_toolchain(project);
     precompile_headers(tools, step);
     Change change{step, "scene", own_headers(project, step)};
     change.headers["05_mesh_bvh/program/own_scene.h"] = "#line 1 \"" + path + "\"\n" + text;
-    std::cout << "building step " << number_of(step) << " with " << path << " ..." << std::endl;
     if (const Outcome built = build_step(tools, change, folder); !built.compiled) refuse(built.log);
 }
 
