@@ -259,8 +259,8 @@ void back_up(const Project& project, const std::string& step, const std::string&
 
 Words edited_references(const Project& project, const std::string& step) {
     std::string output;
-    const Words command{"git",          "-C", project.root.string(), "status", "--short",
-                        "--no-renames", "--", "steps/" + step};
+    const Words command{"git",  "-C", project.root.string(), "status", "--short",
+                        "-uno", "--", "steps/" + step};
     const bool known = run_process(command, {.log = "/dev/null", .output = &output}).code == 0;
     Words files;
     if (!known) return files; // a copy without its history
