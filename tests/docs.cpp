@@ -1,9 +1,11 @@
 // Facts about the weaver, which keeps listings, outputs and links in the chapters in agreement with the code.
 #include "common/util/error.h"
 #include "tests/check.h"
+#include "tests/tutor/folder.h"
 #include "tools/tutor/exercises.h"
 #include "tools/tutor/util.h"
 #include "tools/weave/region.h"
+#include "tools/weave/pages.h"
 #include "tools/weave/weave.h"
 
 #include <filesystem>
@@ -166,12 +168,54 @@ TEST_CASE("Listings, diffs and galleries are made from files, and a missing file
     std::filesystem::create_directories(root / "steps");
     std::ofstream(root / "steps/a.h") << "int f() {\n    //> do it\n    return 2;\n    //< return 0;\n}\n";
     std::ofstream(root / "steps/b.h") << "int f() {\n    return 3;\n}\n";
-    CHECK(block_text(root, {"listing", "steps/a.h#f", 0, 0}) == "```cpp\nint f() {\n    return 2;\n}\n```\n");
+    CHECK(block_text(root, {"listing", "steps/b.h#f", 0, 0}) == "```cpp\nint f() {\n    return 3;\n}\n```\n");
     CHECK(block_text(root, {"diff", "steps/a.h steps/b.h", 0, 0}).find("-    return 2;\n+    return 3;\n") !=
           std::string::npos);
     CHECK_THROWS_AS(block_text(root, {"diff", "steps/a.h steps/a.h", 0, 0}), Error);
     CHECK_THROWS_AS(block_text(root, {"listing", "steps/c.h", 0, 0}), Error);
     CHECK_THROWS_AS(block_text(root, {"gallery", "09_none", 0, 0}), Error);
+}
+
+TEST_CASE("A listing of an exercise shows the gap and folds the answer below it") {
+    const TemporaryFolder folder;
+    put(folder.path / "steps/a.h", "int f() {\n    //> which number?\n    return 2;\n    //< return 0;\n}\n");
+    CHECK(block_text(folder.path, {"listing", "steps/a.h#f", 0, 0}) ==
+          "```cpp\nint f() {\n    // TODO: which number?\n    return 0;\n}\n```\n\n"
+          "<details><summary>The lines of <code>f</code>, after you have tried</summary>\n\n"
+          "```cpp\nreturn 2;\n```\n\n</details>\n");
+}
+
+TEST_CASE("A milestone is shown with the functions that lead to it and its picture") {
+    const TemporaryFolder folder;
+    put(folder.path / "exercises/01_one/milestones.md",
+        "# Milestones\n\n## sky: there is a sky\n* Write: f, g\n* Options: --view depth\n* Shows: a sky,\n  "
+        "blue.\n");
+    CHECK(block_text(folder.path, {"milestone", "01_one sky", 0, 0}) ==
+          "\n> **Milestone 1 of 1: there is a sky.** With `f`, `g` written, `./learn run 01 --view depth` "
+          "shows a "
+          "sky, blue.\n>\n> ![there is a sky](../exercises/01_one/milestones/sky.png)\n\n");
+    CHECK_THROWS_AS(block_text(folder.path, {"milestone", "01_one sea", 0, 0}), Error);
+}
+
+TEST_CASE("Pages are linked in the order of the README with the chapters first") {
+    const TemporaryFolder folder;
+    put(folder.path / "README.md", "[a](docs/models.md) [b](docs/01_one.md#top) [c](docs/02_two.md)\n");
+    for (const std::string name : {"models", "01_one", "02_two"})
+        put(folder.path / "docs" / (name + ".md"), "# Page " + name + "\n\n## A part, of it\n");
+    CHECK(block_text(folder.path, {"navigation", "02_two", 0, 0}) ==
+          "[← Page 01_one](01_one.md) · [Contents](../README.md#the-eight-chapters) · [Page models "
+          "→](models.md)\n");
+    CHECK(block_text(folder.path, {"contents", "01_one", 0, 0}) == "\n* [A part, of it](#a-part-of-it)\n\n");
+    CHECK_THROWS_AS(block_text(folder.path, {"navigation", "03_three", 0, 0}), Error);
+}
+
+TEST_CASE("Mathematics that code hosts do not show is found") {
+    const auto count = [](const std::string& page) { return unshowable_math(page, "docs/x.md").size(); };
+    CHECK(count("$`a\\,b`$ and `$x` in code\n```sh\necho $HOME\n```\n") == 0);
+    CHECK(count("the angle $a$\n") == 1);
+    CHECK(count("$`\\operatorname{f}`$\n") == 1);
+    CHECK(count("```math\n\\phantom{-}1\n```\n") == 1);
+    CHECK(count("| $`|a|`$ | b |\n") == 1);
 }
 
 TEST_CASE(

@@ -3,6 +3,7 @@
 
 #include "common/util/error.h"
 #include "common/util/file_bytes.h"
+#include "tools/tutor/milestones.h"
 
 #include <algorithm>
 #include <map>
@@ -176,6 +177,7 @@ std::vector<Exercise> find_step_exercises(const fs::path& steps, const std::stri
         }
     }
     name_exercises(all);
+    sort_by_milestones(steps.parent_path(), step, all);
     return all;
 }
 

@@ -3,6 +3,7 @@
 
 #include "common/util/file_bytes.h"
 #include "tools/tutor/exercises.h"
+#include "tools/weave/pages.h"
 
 #include <algorithm>
 #include <array>
@@ -28,18 +29,6 @@ void outside_of_code(const std::string& page, const Each& each) {
         else if (!inside)
             each(lines[i], i + 1);
     }
-}
-
-/// Returns the anchor that code-hosting sites give a heading: lower case, hyphens for spaces, no other signs.
-std::string anchor_of(const std::string& heading) {
-    std::string anchor;
-    for (const char c : heading) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (std::isalnum(byte) != 0 || c == '-' || c == '_' || byte >= 128)
-            anchor += char(std::tolower(byte));
-        if (c == ' ') anchor += '-';
-    }
-    return anchor;
 }
 
 std::set<std::string> anchors_of(const std::string& page) {

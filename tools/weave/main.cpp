@@ -1,5 +1,6 @@
 // weave: updates the code and the outputs in the chapters, and reports what is out of date.
 // Exit code: 0 everything is up to date, 1 something is not, 2 a page cannot be read, written or parsed.
+#include "tools/weave/pages.h"
 #include "tools/weave/weave.h"
 
 #include "common/util/report_error.h"
@@ -107,6 +108,7 @@ void check(const Options& options, const std::string& page, Report& report) {
         return now;
     });
     for (const std::string& line : rt::weave::dead_links(options.root, text, page)) report.add(line);
+    for (const std::string& line : rt::weave::unshowable_math(text, page)) report.add(line);
 }
 
 /// Compares the outputs that a page shows with the actual outputs.

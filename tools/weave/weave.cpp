@@ -5,9 +5,11 @@
 #include "common/util/file_bytes.h"
 #include "tools/tutor/catalogue.h"
 #include "tools/tutor/exercises.h"
+#include "tools/tutor/milestones.h"
 #include "tools/tutor/record.h"
 #include "tools/tutor/util.h"
 #include "tools/tutor/diff.h"
+#include "tools/weave/pages.h"
 #include "tools/weave/region.h"
 
 #include <algorithm>
@@ -23,7 +25,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array kinds{"listing", "diff", "gallery", "output", "measured"};
+constexpr std::array kinds{"listing",    "diff",     "gallery", "milestone",
+                           "navigation", "contents", "output",  "measured"};
 const std::string opens = "<!-- ", closes = " -->", end_marker = "<!-- end -->";
 
 [[noreturn]] void fail(const std::string& path, std::size_t line, const std::string& what) {
@@ -47,12 +50,37 @@ std::string without_blank_ends(std::string text) {
     return text;
 }
 
+std::string code_block(const std::string& language, const std::string& code) {
+    return "```" + language + '\n' + without_blank_ends(code) + "```\n";
+}
+
+/// Returns lines without the indentation that all of them have.
+std::string dedented(const Words& lines) {
+    std::size_t indent = std::string::npos;
+    for (const std::string& line : lines) indent = std::min(indent, line.find_first_not_of(' '));
+    std::string text;
+    for (const std::string& line : lines) text += line.substr(std::min(indent, line.size())) + "\n";
+    return text;
+}
+
+/// Returns a listing as a learner finds it, with the gaps, and what belongs there folded below: the question stands
+/// before the answer.
+std::string folded_listing(const std::string& code, const std::vector<Exercise>& exercises) {
+    std::string text = code_block("cpp", make_stub(code, exercises));
+    for (const Exercise& exercise : exercises)
+        text += "\n<details><summary>The lines of <code>" + exercise.function +
+                "</code>, after you have tried</summary>\n\n" +
+                code_block("cpp", dedented(exercise.reference)) + "\n</details>\n";
+    return text;
+}
+
 std::string listing(const fs::path& root, const std::string& what) {
     const std::size_t hash = what.find('#');
-    const std::string file = what.substr(0, hash), whole = read(root, file);
+    const std::string file = what.substr(0, hash), whole = read_file((root / file).string());
     const std::string code = hash == std::string::npos ? whole : region(whole, what.substr(hash + 1), file);
-    const std::string language = file.ends_with(".sh") ? "sh" : "cpp";
-    return "```" + language + '\n' + without_blank_ends(code) + "```\n";
+    if (file.ends_with(".sh")) return code_block("sh", code);
+    const std::vector<Exercise> exercises = find_exercises(code, file);
+    return exercises.empty() ? code_block("cpp", code) : folded_listing(code, exercises);
 }
 
 std::string diff(const fs::path& root, const std::string& what) {
@@ -62,16 +90,6 @@ std::string diff(const fs::path& root, const std::string& what) {
         unified_diff({files[0], read(root, files[0])}, {files[1], read(root, files[1])}, false);
     if (text.empty()) throw Error("diff: " + files[0] + " and " + files[1] + " are equal");
     return "```diff\n" + text + "```\n";
-}
-
-/// Escapes |, which would end a cell of a table.
-std::string cell(const std::string& text) {
-    std::string safe;
-    for (const char c : text) {
-        if (c == '|') safe += '\\';
-        safe += c;
-    }
-    return safe;
 }
 
 /// Capitalises the text, unless it begins with a formula ("d.n is negative"), and adds a full stop.
@@ -84,16 +102,20 @@ std::string sentence(std::string text) {
     return text;
 }
 
-std::string row(const fs::path& root, const Mistake& mistake) {
-    const std::string picture = "exercises/" + mistake.step + "/gallery/" + mistake.id + ".png";
+/// Returns a link to a picture; pages that show it are in docs/.
+std::string picture(const std::string& alternative, const fs::path& path) {
+    return "![" + alternative + "](../" + path.generic_string() + ")";
+}
+
+/// Returns what a mistake is, and below it the right picture beside the wrong one.
+std::string gallery_entry(const fs::path& root, const Mistake& mistake) {
+    const auto path = [&](const std::string& id) { return gallery_picture("", mistake.step, id); };
     std::error_code ignored;
-    const bool seen = fs::exists(root / picture, ignored);
-    return "| " +
-           (seen ? "![" + cell(mistake.title) + "](../" + picture + ")"
-                 : std::string("*not seen in this scene*")) +
-           " | **" + cell(sentence(mistake.title)) + "** " +
-           (seen ? cell(sentence(mistake.shows)) + " " : "") + "*Why:* " + cell(sentence(mistake.why)) +
-           " *Fix:* " + cell(mistake.fix) + " |\n";
+    const bool seen = fs::exists(root / path(mistake.id), ignored);
+    return "**" + sentence(mistake.title) + "** " + (seen ? sentence(mistake.shows) + " " : "") + "*Why:* " +
+           sentence(mistake.why) + " *Fix:* " + sentence(mistake.fix) + "\n\n" +
+           (seen ? picture("right", path("right")) + " " + picture(mistake.title, path(mistake.id)) + "\n\n"
+                 : "");
 }
 
 std::string gallery(const fs::path& root, const std::string& what) {
@@ -103,14 +125,30 @@ std::string gallery(const fs::path& root, const std::string& what) {
     if (known.empty()) throw Error("gallery: the step " + words[0] + " has no known mistakes");
     if (words.size() == 1)
         for (const Mistake& mistake : known) words.push_back(mistake.id);
-    std::string table = "| what you see | what it is |\n| --- | --- |\n";
+    std::string text = "\n";
     for (std::size_t i = 1; i < words.size(); ++i) {
         const auto found = std::ranges::find(known, words[i], &Mistake::id);
         if (found == known.end())
             throw Error("gallery: exercises/" + words[0] + "/mistakes.md has no " + words[i]);
-        table += row(root, *found);
+        text += gallery_entry(root, *found);
     }
-    return "\n" + table + "\n";
+    return text;
+}
+
+/// Returns what a learner sees who has written the functions up to a milestone ("01_spheres normals").
+std::string milestone(const fs::path& root, const std::string& what) {
+    const auto words = words_of(what);
+    if (words.size() != 2) throw Error("milestone: expected a step and an id, not \"" + what + "\"");
+    const std::vector<Milestone> all = read_milestones(root, words[0]);
+    const auto found = std::ranges::find(all, words[1], &Milestone::id);
+    if (found == all.end())
+        throw Error("milestone: exercises/" + words[0] + "/milestones.md has no " + words[1]);
+    const std::string options = found->options.empty() ? "" : " " + joined(found->options, " ");
+    return "\n> **Milestone " + std::to_string(found - all.begin() + 1) + " of " +
+           std::to_string(all.size()) + ": " + found->title + ".** With `" +
+           joined(found->functions, "`, `") + "` written, `./learn run " + words[0].substr(0, 2) + options +
+           "` shows " + found->shows + "\n>\n> " +
+           picture(found->title, milestone_picture(words[0], found->id)) + "\n\n";
 }
 
 /// Adds the code of all files below a folder to the hash, sorted by name.
@@ -143,7 +181,7 @@ std::vector<Block> find_blocks(const std::vector<std::string>& lines, const std:
         const std::string what = line.substr(colon + 2, line.size() - closes.size() - colon - 2);
         if (open) fail(path, i, "this marker begins before the end of the previous one");
         if (std::ranges::find(kinds, kind) == kinds.end())
-            fail(path, i, "\"" + kind + "\" is not one of listing, diff, gallery, output, measured");
+            fail(path, i, "\"" + kind + "\" is not one of " + joined({kinds.begin(), kinds.end()}, ", "));
         blocks.push_back({kind, what, i + 1, i + 1});
         open = true;
     }
@@ -200,6 +238,9 @@ std::string block_text(const fs::path& root, const Block& block) {
     if (block.kind == "listing") return listing(root, block.what);
     if (block.kind == "diff") return diff(root, block.what);
     if (block.kind == "gallery") return gallery(root, block.what);
+    if (block.kind == "milestone") return milestone(root, block.what);
+    if (block.kind == "navigation") return navigation(root, block.what);
+    if (block.kind == "contents") return contents(root, block.what);
     throw Error(block.kind + ": the command must be run first");
 }
 

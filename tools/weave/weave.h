@@ -11,8 +11,8 @@ namespace rt::weave {
 
 /// The text between a marker and its end.
 struct Block {
-    std::string kind;               ///< listing, diff, gallery, output or measured
-    std::string what;               ///< "steps/03_mirror/mirror.h#reflect", or the command
+    std::string kind; ///< listing, diff, gallery, milestone, navigation, contents, output or measured
+    std::string what; ///< "steps/03_mirror/mirror.h#reflect", or the command
     std::size_t begin = 0, end = 0; ///< range of lines between the two, from 0
 };
 
