@@ -147,6 +147,8 @@ first "waiting for the next save" watch 03 --no-picture
 first "next: ./learn start 01" status
 first "Hint 1 of 3" hint 03 reflected_ray
 first "reference is used again" undo --help
+first "render it: ./learn run 08 --scene lamp" scene lamp
+first "building build/debugger/03_mirror" debug 03 --only-build
 
 # By a link to the project, by a link to the script, and with CDPATH, which makes cd print.
 ln -s "$clone" "$folder/linked"

@@ -43,8 +43,8 @@ refuses() { # $1: a part of the line; the rest: the arguments
 # A learner's session.
 says "next: ./learn start 01" status
 [ ! -e "$workshop" ] || wrong "showing the status creates a folder"
-says "Write 5 functions" start 03
-gap=$(grep -n "TODO: turn ray.direction" "$workshop/03_mirror/mirror.h" | cut -d: -f1)
+says "Write 3 functions" start 03
+gap=$(grep -n "TODO: where does the reflected ray start" "$workshop/03_mirror/mirror.h" | cut -d: -f1)
 [[ $said == *"mirror.h:$gap  reflected_ray"* ]] || wrong "start 03: expected 'mirror.h:$gap  reflected_ray', got: $said"
 says "mirror.h already exists" start 3
 says "next: write reflect in" status
@@ -59,7 +59,7 @@ says "start again with the first" hint 03 reflected_ray --reset
 says "-    return spawn_ray(hit, reflect(ray.direction, hit.shading_normal));" diff 03 mirror.h
 grep -v '^ *//[<>]' "$project/steps/03_mirror/mirror.h" >"$workshop/03_mirror/mirror.h"
 says "mirror.h: same as the reference" diff 03 mirror.h
-says "2 of 5 functions started" status
+says "2 of 3 functions started" status
 says "to restore it: mv '" undo 03 mirror.h
 [ ! -e "$workshop/03_mirror/mirror.h" ] || wrong "undo does not move the file"
 back=$(printf '%s\n' "$said" | sed -n 's/^ *to restore it: //p')
@@ -76,6 +76,24 @@ for step in 08 01 07 02 06 03 05 04; do
         says "Hint 3 of 3" hint $step "$name" --all
     done
 done
+
+# clangd finds the learner's headers before those of steps/.
+[ "$(grep -m1 '^-I' "$workshop/compile_flags.txt")" = -I. ] || wrong "compile_flags.txt does not begin with the workshop"
+
+# Scenes of one's own.
+says "./learn run 08 --scene lamp" scene lamp
+grep -q '"08_indirect/scene.h"' "$workshop/scenes/lamp.cpp" || wrong "the example does not include the step's scene"
+says "./learn run 07 --scene chart" scene chart 7
+refuses "lamp.cpp exists already" scene lamp
+refuses "only letters, digits and _" scene a/b
+refuses "from 05 on" scene early 04
+refuses "from 05 on" run 04 --scene lamp
+refuses "there is no" run 06 --scene=none
+refuses 'must have #include "06_textures/scene.h"' run 06 --scene lamp
+
+# A machine without a debugger.
+said=$(PATH=$folder/none "$tutor" --root "$project" --workshop "$workshop" debug 03 2>&1)
+[ $? = 2 ] && [[ $said == *"there is no gdb and no lldb here"* ]] || wrong "debug without a debugger: $said"
 
 # Wrong arguments.
 refuses "there is no step '9'" start 9
@@ -101,7 +119,7 @@ workshop=$folder/full
 left=$(find "$workshop" -type f)
 [ -z "$left" ] || wrong "a full disk leaves $left"
 
-for word in start status hint diff undo; do
+for word in start status hint diff undo scene debug; do
     "$project/learn" --help | grep -q "learn $word" || wrong "./learn --help does not name $word"
 done
 exit $bad

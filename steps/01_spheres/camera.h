@@ -30,7 +30,7 @@ struct Camera {
 inline Camera make_camera(const LookAt& look_at, int width, int height) {
     const vec3 forward = normalize(look_at.at - look_at.from);
     const vec3 right = normalize(cross(forward, look_at.up));
-    //> half the picture's height at distance 1 is the tangent of half the angle; the width follows its shape
+    //> at distance 1, how far is it from the middle of the picture to its upper and to its right edge?
     const float half_height = std::tan(glm::radians(look_at.fov) / 2);
     const float half_width = half_height * float(width) / float(height);
     //< const float half_height = 1, half_width = 1;
@@ -41,7 +41,7 @@ inline Camera make_camera(const LookAt& look_at, int width, int height) {
 /// Returns the ray through a point of the image: (0, 0) is its top left corner, (width, height) the bottom
 /// right one, so the center of pixel (x, y) is (x + .5, y + .5). The direction has unit length.
 inline Ray camera_ray(const Camera& camera, vec2 film_point) {
-    //> map the picture to [-1, 1] x [-1, 1], with y upward, and add up the three axes
+    //> which direction leads from the eye through this point of the film? Mind which way y goes
     const float x = 2 * film_point.x / camera.resolution.x - 1;
     const float y = 1 - 2 * film_point.y / camera.resolution.y;
     return {camera.origin, normalize(camera.forward + x * camera.half_width + y * camera.half_height)};

@@ -13,7 +13,7 @@ struct Checkerboard {
 };
 
 inline Diffuse evaluate(const Checkerboard& checkerboard, vec2 uv) {
-    //> floor, not a cast to int, which would make the two squares beside zero one
+    //> which of the two colours has the square that uv lies in, also left of zero?
     const vec2 square = floor(uv / checkerboard.size);
     const bool odd = glm::mod(square.x + square.y, 2.0f) != 0;
     return {odd ? checkerboard.odd : checkerboard.even};

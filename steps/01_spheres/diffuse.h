@@ -20,7 +20,7 @@ inline Diffuse emissive(vec3 radiance) {
 /// directions. pi is the integral of the cosine over the hemisphere: with albedo 1, all incoming light leaves
 /// again.
 inline vec3 outgoing_radiance(const Diffuse& diffuse, vec3 irradiance) {
-    //> emission, and albedo / pi of what arrives
+    //> how much leaves towards the eye: of the light that arrives, and of the surface's own?
     return diffuse.emission + diffuse.albedo / pi * irradiance;
     //< return vec3(0);
 }

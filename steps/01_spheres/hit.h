@@ -39,7 +39,7 @@ struct Hit {
 inline Hit make_hit(const Ray& ray, vec3 outward_normal, vec3 shading_normal, vec2 uv, int material) {
     const vec3 position = at(ray, ray.t_max);
     const float error = position_error(ray.origin, position);
-    //> seen from inside, both normals turn round
+    //> does the ray meet the surface from inside, and what must the normals do then?
     const bool back_face = dot(ray.direction, outward_normal) > 0;
     const float sign = back_face ? -1.0f : 1.0f;
     //< const bool back_face = false; const float sign = 1;

@@ -14,7 +14,7 @@ struct Plane {
 /// Returns the t with (O + tD - P).N = 0. A ray parallel to the plane has none: the division gives infinity
 /// or NaN, which no interval contains. In double, like the sphere: P may be far away.
 inline std::optional<float> intersect(const Plane& plane, const Ray& ray) {
-    //> solve for t, and answer it if the ray contains it
+    //> at which t does the ray meet the plane, and does the ray contain it?
     const dvec3 normal(plane.normal), to_plane = dvec3(plane.point) - dvec3(ray.origin);
     const float t = float(dot(to_plane, normal) / dot(dvec3(ray.direction), normal));
     if (contains(ray, t)) return t;

@@ -19,7 +19,7 @@ struct Shapes {
 /// data are computed for that one only.
 inline std::optional<Hit> intersect(const Shapes& shapes, Ray ray) {
     std::variant<std::monostate, const Sphere*, const Plane*> closest;
-    //> try every shape; what hits becomes the closest and shortens the ray
+    //> which of all shapes does the ray hit first? That one is `closest`, and the ray ends there
     const auto test = [&](const auto& shape) {
         if (const auto t = intersect(shape, ray)) {
             ray.t_max = *t;

@@ -20,7 +20,7 @@ struct Sphere {
 /// The roots are q/a and c/q with q = h + sign(h) sqrt(h^2 - a c): neither subtracts two nearly equal numbers
 /// (Press et al., Numerical Recipes, 5.6). In double, since c cancels for a ray close to a sphere of 10 km.
 inline std::optional<float> intersect(const Sphere& sphere, const Ray& ray) {
-    //> a, h and c, the discriminant, and of the two roots the first that the ray contains
+    //> where does the ray meet the sphere, and which of these points is the first that it contains?
     const glm::dvec3 to_center = glm::dvec3(sphere.center) - glm::dvec3(ray.origin);
     const glm::dvec3 direction(ray.direction);
     const double radius = sphere.radius;
@@ -49,7 +49,7 @@ inline vec2 sphere_uv(vec3 p) {
 
 /// Returns the surface data of the hit with `sphere` at ray.t_max.
 inline Hit surface_hit(const Sphere& sphere, const Ray& ray) {
-    //> the outward normal points from the centre to the hit
+    //> which way is out, at the point where the ray ends?
     const vec3 outward_normal = normalize(at(ray, ray.t_max) - sphere.center);
     //< const vec3 outward_normal = vec3(0, 1, 0);
     return make_hit(ray, outward_normal, sphere_uv(outward_normal), sphere.material);

@@ -21,7 +21,7 @@ concept Occludable = Traceable<Scene> && requires(const Scene& scene, const Ray&
 /// Returns the unoccluded irradiance from the light at `position` on a surface with this unit normal, W/m^2:
 /// E = I cos(theta) / r^2, and 0 from behind.
 inline vec3 irradiance(const PointLight& light, vec3 position, vec3 normal) {
-    //> the cosine to the normal, over the square of the distance
+    //> how do the distance and the angle of the light weaken what arrives?
     const vec3 to_light = light.position - position;
     const float distance_squared = dot(to_light, to_light);
     if (distance_squared == 0) return vec3(0); // the light itself
@@ -37,7 +37,7 @@ vec3 direct_irradiance(const S& scene, const Hit& hit) {
     vec3 sum(0);
     for (const PointLight& light : scene.lights) {
         const vec3 unoccluded = irradiance(light, hit.position, hit.shading_normal);
-        //> add it if it is any, and if nothing stands between the hit and the light
+        //> does this light reach the hit?
         if (unoccluded != vec3(0) && !occluded(scene, spawn_ray_to(hit, light.position))) sum += unoccluded;
         //< sum += unoccluded;
     }

@@ -9,7 +9,7 @@ namespace rt {
 
 /// Returns whether any shape is hit in the ray's interval; the first one found ends the search.
 inline bool occluded(const Shapes& shapes, const Ray& ray) {
-    //> true as soon as one shape is hit, whichever it is
+    //> is anything at all in the ray's way?
     const auto hit = [&](const auto& shape) { return intersect(shape, ray).has_value(); };
     return std::ranges::any_of(shapes.spheres, hit) || std::ranges::any_of(shapes.planes, hit);
     //< return false;

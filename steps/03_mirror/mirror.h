@@ -19,14 +19,14 @@ struct Coated {
 /// Returns d reflected about the unit normal n: r = d - 2 (d.n) n. Keeps the length and the angle to n; n may
 /// point to either side.
 inline vec3 reflect(vec3 direction, vec3 normal) {
-    //> take away twice the part along the normal
+    //> what does a mirror do to the part of the direction along the normal?
     return direction - 2 * dot(direction, normal) * normal;
     //< return direction;
 }
 
 /// Returns the reflected ray of a mirror at the hit.
 inline Ray reflected_ray(const Ray& ray, const Hit& hit) {
-    //> turn ray.direction around hit.shading_normal
+    //> where does the reflected ray start, and where does it go?
     return spawn_ray(hit, reflect(ray.direction, hit.shading_normal));
     //< return {hit.position, ray.direction};
 }

@@ -13,7 +13,7 @@ vec3 radiance(const S& scene, const Ray& ray, int bounces_left);
 /// Shades the hit with `scene.materials[material]`.
 template <Occludable S>
 vec3 shade(const S& scene, const Ray& ray, const Hit& hit, int material, int bounces_left) {
-    //> the recursion: what comes along the reflected ray, with one bounce fewer left
+    //> which light comes along the reflected ray? Remember that this must end
     const auto trace_reflected = [&] { return radiance(scene, reflected_ray(ray, hit), bounces_left - 1); };
     //< const auto trace_reflected = [&] { return vec3(0); };
     return match(

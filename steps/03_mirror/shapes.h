@@ -23,7 +23,6 @@ struct Shapes {
 /// data are computed for that one only.
 inline std::optional<Hit> intersect(const Shapes& shapes, Ray ray) {
     std::variant<std::monostate, const Sphere*, const Plane*, const Quad*> closest;
-    //> try every shape; what hits becomes the closest and shortens the ray
     const auto test = [&](const auto& shape) {
         if (const auto t = intersect(shape, ray)) {
             ray.t_max = *t;
@@ -33,7 +32,6 @@ inline std::optional<Hit> intersect(const Shapes& shapes, Ray ray) {
     for (const Sphere& sphere : shapes.spheres) test(sphere);
     for (const Plane& plane : shapes.planes) test(plane);
     for (const Quad& quad : shapes.quads) test(quad);
-    //<
     return match(
         closest, [](std::monostate) { return std::optional<Hit>(); },
         [&](const auto* shape) { return std::optional(surface_hit(*shape, ray)); });
@@ -41,11 +39,9 @@ inline std::optional<Hit> intersect(const Shapes& shapes, Ray ray) {
 
 /// Returns whether any shape is hit in the ray's interval; the first one found ends the search.
 inline bool occluded(const Shapes& shapes, const Ray& ray) {
-    //> true as soon as one shape is hit, whichever it is
     const auto hit = [&](const auto& shape) { return intersect(shape, ray).has_value(); };
     return std::ranges::any_of(shapes.spheres, hit) || std::ranges::any_of(shapes.planes, hit) ||
            std::ranges::any_of(shapes.quads, hit);
-    //< return false;
 }
 
 } // namespace rt

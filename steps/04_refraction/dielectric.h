@@ -21,7 +21,7 @@ struct Dielectric {
 
 /// Returns the fraction of the light that is left after `distance` metres (Beer-Lambert).
 inline vec3 transmittance(vec3 absorption_coefficient, float distance) {
-    //> e to the minus absorption times distance
+    //> which share of each colour is left after this distance?
     return exp(-absorption_coefficient * distance);
     //< return vec3(1);
 }
@@ -29,7 +29,7 @@ inline vec3 transmittance(vec3 absorption_coefficient, float distance) {
 /// Snell's law: sin_t = eta sin_i with eta = n_i / n_t. Returns cos_t >= 0, or nothing for total internal
 /// reflection. cos_i in [0, 1].
 inline std::optional<float> cos_transmitted(float cos_i, float eta) {
-    //> from 1 - cos_t^2 = eta^2 (1 - cos_i^2), in an order that gives cos_t = cos_i where eta is 1
+    //> what does Snell's law, which is about sines, say about the cosine beyond, and when is there none?
     const float cos_t_squared = (1 - eta * eta) + eta * eta * cos_i * cos_i;
     if (cos_t_squared <= 0) return std::nullopt;
     return std::sqrt(cos_t_squared);
@@ -40,7 +40,7 @@ inline std::optional<float> cos_transmitted(float cos_i, float eta) {
 /// polarisations, r_s = (eta c_i - c_t) / (eta c_i + c_t) and r_p = (c_i - eta c_t) / (c_i +
 /// eta c_t), squared.
 inline float fresnel_dielectric(float cos_i, float eta) {
-    //> 1 if nothing gets through, otherwise the mean of the two squares
+    //> which share of unpolarised light is reflected, and which where nothing gets through?
     const auto cos_t = cos_transmitted(cos_i, eta);
     if (!cos_t) return 1;
     const float s = (eta * cos_i - *cos_t) / (eta * cos_i + *cos_t);
@@ -55,7 +55,7 @@ inline float fresnel_dielectric(float cos_i, float eta) {
 inline std::optional<vec3> refract(vec3 direction, vec3 normal, float eta) {
     const float magnitude = length(direction);
     const float cos_i = glm::min(-dot(direction, normal) / magnitude, 1.0f);
-    //> eta d + (eta cos_i - cos_t) n
+    //> which way does the light go on, at the same length, if it gets through at all?
     const auto cos_t = cos_transmitted(cos_i, eta);
     if (!cos_t) return std::nullopt;
     return eta * direction + magnitude * (eta * cos_i - *cos_t) * normal;

@@ -53,7 +53,7 @@ inline SlabRay slab_ray(const Ray& ray) {
 /// in this order, changes nothing. The exit is padded by two roundings, so that no hit on an edge is lost
 /// (Ize 2013).
 inline std::optional<float> intersect(const Aabb& box, const SlabRay& ray, float t_min, float t_max) {
-    //> for each axis: when does the ray come in, when does it go out? Keep the last entry and the first exit
+    //> during which t is the ray inside all three pairs of planes, if it ever is?
     for (int axis = 0; axis < 3; ++axis) {
         const bool forward = ray.inverse_direction[axis] >= 0;
         const float near_plane = forward ? box.min[axis] : box.max[axis];

@@ -47,7 +47,7 @@ inline Split find_best_split(std::span<const std::uint32_t> shapes, std::span<co
     const float begin = centroid_bounds.min[axis];
     const float width = (centroid_bounds.max[axis] - begin) / bin_count;
     if (!(width > 0)) return {};
-    //> drop the boxes into bins, then sweep from both ends and keep the border with the least cost
+    //> at which border between two bins do a ray's tests cost least on average?
     std::array<Aabb, bin_count> bin_boxes;
     std::array<int, bin_count> counts{};
     for (const std::uint32_t shape : shapes) {
@@ -161,7 +161,7 @@ void traverse(const Bvh& bvh, const Ray& ray, Leaf&& leaf) {
         const StackEntry top = stack[std::size_t(--size)];
         if (top.t > ray.t_max) continue;
         const BvhNode& node = bvh.nodes[top.node];
-        //> in a leaf ask its shapes; otherwise push the children that the ray enters, the nearer one last
+        //> what is to do in a leaf, and what in an inner node, so that the nearer child comes first?
         if (node.count > 0) {
             for (std::uint32_t i = node.first_index; i < node.first_index + node.count; ++i)
                 if (leaf(bvh.primitive_indices[i])) return;

@@ -58,7 +58,7 @@ inline Aabb bounds(const Mesh& mesh) {
 template <typename Value>
 Value interpolate_barycentric(const std::vector<Value>& values, const std::array<std::uint32_t, 3>& corner,
                               float u, float v) {
-    //> (1 - u - v) A + u B + v C
+    //> how much does each of the three corners count at (u, v)?
     return (1 - u - v) * values[corner[0]] + u * values[corner[1]] + v * values[corner[2]];
     //< return values[corner[0]];
 }

@@ -59,7 +59,7 @@ inline void closest_hit_binary(const Shapes& shapes, Ray& ray, ClosestShape& clo
                        [&](std::uint32_t i) { return test(shapes.spheres[i]); });
     const auto test_triangle = [&](std::uint32_t i) {
         ++ray_stats.triangle_tests;
-        //> a triangle that is hit shortens the ray too
+        //> does the ray hit triangle i before everything else so far, and what is to remember of that?
         const auto [a, b, c] = vertices(shapes.mesh, i);
         if (const auto hit = intersect(a, b, c, ray)) {
             ray.t_max = hit->t;

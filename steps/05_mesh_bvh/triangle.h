@@ -21,7 +21,7 @@ inline constexpr double edge_tolerance = 0x1p-40;
 /// triangles. Both sides count. A degenerate triangle divides by 0, and NaN or infinity fails every
 /// comparison below.
 inline std::optional<TriangleHit> intersect(vec3 a, vec3 b, vec3 c, const Ray& ray) {
-    //> u, v and t from four cross and dot products, and out as soon as one of them is
+    //> where does the ray meet the plane of the triangle, and is that inside all three edges?
     const glm::dvec3 vertex_a(a), direction(ray.direction);
     const glm::dvec3 edge_b = glm::dvec3(b) - vertex_a;
     const glm::dvec3 edge_c = glm::dvec3(c) - vertex_a;

@@ -54,7 +54,8 @@ int main(int argc, char** argv) {
         scene.count_tests = view == DebugView::traversal_cost;
         const bool has_model = !model.mesh.empty();
         const LookAt look_at = camera_options.look_at_or(
-            has_model ? add_framed_model(scene, model, float(width) / float(height)) : meadow(scene, tiles));
+            has_model ? add_framed_model(scene, model, float(width) / float(height))
+                      : own_scene_or(scene, [&](Scene& own) { return meadow(own, tiles); }));
         build_bvhs(scene);
         const Camera camera = make_camera(look_at, width, height);
         render([&](PixelSample& sample) {

@@ -12,7 +12,7 @@ namespace rt {
 /// Converts an sRGB value in [0, 1] to linear light in [0, 1] (IEC 61966-2-1: a linear toe, then a power of
 /// 2.4).
 inline float linear_from_srgb(float value) {
-    //> the toe up to .04045 is a straight line of slope 1/12.92
+    //> how much light, from 0 to 1, does a value from a file stand for?
     return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
     //< return value;
 }
@@ -35,7 +35,7 @@ inline Texture make_texture(const Bitmap& bitmap) {
 
 /// Returns `index` modulo size, in [0, size), also for negative indices: the image repeats.
 inline int wrap(int index, int size) {
-    //> the remainder of a division that rounds down
+    //> which texel is this one, if the row is repeated to both sides without end?
     const int remainder = index % size;
     return remainder < 0 ? remainder + size : remainder;
     //< return glm::clamp(index, 0, size - 1);
@@ -51,7 +51,7 @@ inline vec3 texel(const Texture& texture, int x, int y) {
 /// Returns the texture at uv, interpolated between the four nearest texels. A texel's value is that at its
 /// center, half a texel from its corner.
 inline vec3 bilinear(const Texture& texture, vec2 uv) {
-    //> from uv to texels, half a texel back, and the four weights from what floor leaves over
+    //> which four texels surround uv, and how much does each of them count?
     const vec2 texel_position = fract(uv) * vec2(texture.width, texture.height) - 0.5f;
     const vec2 lower_left = floor(texel_position);
     const vec2 weight = texel_position - lower_left;

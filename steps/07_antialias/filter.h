@@ -14,7 +14,7 @@ enum class Filter { box, tent, gaussian };
 /// Draws a coordinate in [-1, 1) with density 1 - |x|, from a uniform u in [0, 1), by inverting its
 /// cumulative distribution.
 inline float sample_tent(float u) {
-    //> the left half rises as a square, the right half mirrors it
+    //> left of which x lies the fraction u of the tent's area?
     return u < 0.5f ? std::sqrt(2 * u) - 1 : 1 - std::sqrt(2 - 2 * u);
     //< return u - 0.5f;
 }
@@ -22,7 +22,7 @@ inline float sample_tent(float u) {
 /// Draws two independent standard normal numbers from two uniform ones in [0, 1): a radius sqrt(-2 ln u) and
 /// an angle (Box and Muller 1958). One takes the cosine, the other the SINE.
 inline vec2 box_muller(vec2 u) {
-    //> 1 - u.x lies in (0, 1], so the logarithm is finite
+    //> which radius and which angle does a point have whose two coordinates are normal? u.x may be 0
     const float radius = std::sqrt(-2 * std::log(1 - u.x));
     const float angle = 2 * pi * u.y;
     return radius * vec2(std::cos(angle), std::sin(angle));

@@ -67,8 +67,9 @@ int main(int argc, char** argv) {
         scene.accel = accel;
         scene.count_tests = view == DebugView::traversal_cost;
         const bool has_model = !model.mesh.empty();
-        const LookAt look_at = camera_options.look_at_or(
-            has_model ? add_framed_model(scene, model, float(width) / float(height)) : test_chart(scene));
+        const LookAt look_at =
+            camera_options.look_at_or(has_model ? add_framed_model(scene, model, float(width) / float(height))
+                                                : own_scene_or(scene, test_chart));
         build_bvhs(scene);
         const Camera camera = make_camera(look_at, width, height);
         const ThinLens lens = lens_options.lens(look_at);

@@ -19,7 +19,7 @@ constexpr std::uint32_t reverse_bits(std::uint32_t bits) {
 /// sum mod 2 of C(j, r) times bit j of the index, and C(j, r) is odd where r has no bit that j lacks (Lucas
 /// 1878), so five halvings make the whole sum.
 constexpr std::uint32_t sobol_dimension_1(std::uint32_t index) {
-    //> fold each half of the bits onto the other, for halves of 16, 8, 4, 2 and 1
+    //> which bits of the index add up, modulo 2, to each bit of the result?
     index ^= index >> 16;
     index ^= (index & 0xff00ff00u) >> 8;
     index ^= (index & 0xf0f0f0f0u) >> 4;

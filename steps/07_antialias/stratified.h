@@ -12,7 +12,7 @@ namespace rt {
 /// for any count: floor(sqrt(count)) rows divide the samples as evenly as possible, and the height of each is
 /// its fraction.
 inline vec2 stratified_2d(int index, int count, Random& random) {
-    //> find the row and column of the cell, then a random point in it
+    //> which cell of the square is this sample's own, and where in it does the sample lie?
     const int rows = int(std::sqrt(float(count)));
     const int row = int((std::int64_t(index) * rows + rows - 1) / count);
     const auto first_of = [&](int r) { return int(std::int64_t(r) * count / rows); };

@@ -13,7 +13,7 @@ namespace rt {
 /// stay straight, so that what is even in the square is even in the disk (the concentric map of Shirley and
 /// Chiu 1997). u in [0, 1)^2.
 inline vec2 sample_disk_concentric(vec2 u) {
-    //> the radius is the larger coordinate; the smaller one over it turns by up to 45 degrees to either side
+    //> to which radius and to which angle does this point of the square go?
     const vec2 p = 2.0f * u - 1.0f;
     if (p == vec2(0)) return p;
     if (std::abs(p.x) > std::abs(p.y)) {
@@ -36,7 +36,7 @@ struct ThinLens {
 inline Ray thin_lens_ray(const Camera& camera, const ThinLens& lens, vec2 film_point, vec2 u) {
     const Ray ray = camera_ray(camera, film_point);
     if (lens.aperture_diameter == 0) return ray;
-    //> the pinhole's ray says what is in focus there; aim at that from the lens
+    //> which point is in focus along this ray, and how is it reached from elsewhere on the lens?
     const vec3 focus_point =
         ray.direction * (lens.focus_distance / dot(ray.direction, camera.forward)); // from the origin
     const vec2 p = lens.aperture_diameter / 2 * sample_disk_concentric(u);

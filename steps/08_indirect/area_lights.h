@@ -101,7 +101,7 @@ vec3 sample_area_lights(const S& scene, const AreaLights& lights, const Hit& hit
                         std::optional<HemisphereSampling> bsdf_sampling = std::nullopt) {
     if (lights.lights.empty()) return vec3(0);
     const LightSample sample = sample_light(lights, source.get_2d());
-    //> the light over its density, times the cosine and the share, if nothing stands between
+    //> what does one sampled point of a lamp contribute to the irradiance at the hit, on average?
     const vec3 to_light = sample.position - hit.position;
     const float distance = length(to_light);
     const float cosine = dot(to_light, hit.shading_normal) / distance;

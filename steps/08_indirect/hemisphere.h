@@ -24,7 +24,7 @@ inline OrthonormalBasis make_basis(vec3 normal) {
 /// disk is projected up onto the hemisphere (Malley; Pharr, Jakob, Humphreys, PBR, 3rd edition, 13.6.3). u in
 /// [0, 1)^2.
 inline vec3 sample_cosine_hemisphere(vec3 normal, vec2 u) {
-    //> radius sqrt(u.x) and an angle make the point of the disk; Pythagoras makes its height
+    //> how does a point spread evenly over a disk become a direction whose density is cos / pi?
     const float radius = std::sqrt(u.x);
     const float angle = 2 * pi * u.y;
     const auto [right, up] = make_basis(normal);

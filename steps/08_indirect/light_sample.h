@@ -42,7 +42,7 @@ inline LightSample sample_area(const Quad& quad, vec2 u) {
 
 /// A square folded along its diagonal would do; this warp keeps neighbours together (Osada et al. 2002, 4.2).
 inline LightSample sample_area(const LightTriangle& triangle, vec2 u) {
-    //> weights 1 - sqrt(u.x), sqrt(u.x) (1 - u.y) and sqrt(u.x) u.y
+    //> which weights of the three corners spread the points evenly over the triangle?
     const double root = std::sqrt(u.x), v = u.y;
     const dvec3 a(triangle.a), b(triangle.b), c(triangle.c);
     const vec3 position((1 - root) * a + root * (1 - v) * b + root * v * c);

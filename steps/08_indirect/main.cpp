@@ -73,7 +73,7 @@ int main(int argc, char** argv) {
         const LookAt look_at = camera_options.look_at_or(
             !model.mesh.empty() ? add_framed_model(scene, model, float(width) / float(height))
             : !spheres.empty()  ? weekend(scene, read_sphere_list(spheres))
-                                : build_scene(scene, show));
+                                : own_scene_or(scene, [&](Scene& own) { return build_scene(own, show); }));
         build_bvhs(scene);
         const AreaLights lights = collect_area_lights(scene);
         const PathSettings settings{depth, !no_indirect, direct, !no_roulette, hemisphere_sampling};

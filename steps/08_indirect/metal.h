@@ -18,7 +18,7 @@ struct Metal {
 /// points into the surface: such light is lost. A model of the appearance, not of measurements. u in [0,
 /// 1)^2.
 inline std::optional<Ray> scatter_metal(const Metal& metal, const Ray& ray, const Hit& hit, vec2 u) {
-    //> the mirrored direction at unit length, plus fuzz times a random unit vector, if it leaves the surface
+    //> where does rough metal send the ray, and when does it swallow it?
     const vec3 reflected = normalize(reflect(ray.direction, hit.shading_normal));
     const vec3 direction = reflected + metal.fuzz * sample_uniform_sphere(u);
     if (dot(direction, hit.geometric_normal) <= 0) return std::nullopt;

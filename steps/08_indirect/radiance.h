@@ -124,7 +124,7 @@ vec3 radiance(const S& scene, const AreaLights& lights, const PathSettings& sett
             throughput *= diffuse.albedo * hit->vertex_color;
             path_radiance +=
                 throughput * sample_direct_light(scene, lights, settings, *hit, absorption, source) / pi;
-            //> the cosine over pi times the density, which is 1 where bounces go by the cosine
+            //> where does the path go on, how likely was that, and what does the throughput become?
             const vec3 direction =
                 sample_hemisphere(settings.hemisphere_sampling, hit->shading_normal, source.get_2d());
             const float cosine = dot(direction, hit->shading_normal);

@@ -12,7 +12,7 @@ namespace rt {
 /// stays unbiased. Returns the new throughput, or nothing if the path ends.
 template <RandomSource Source>
 std::optional<vec3> russian_roulette(vec3 throughput, Source& source) {
-    //> survive with the largest component, at most .95, and divide by it
+    //> how likely should a path go on that carries this, and what must it carry then?
     const float largest = glm::max(throughput.x, glm::max(throughput.y, throughput.z));
     const float survival = glm::min(largest, 0.95f);
     if (source.get_1d() >= survival) return std::nullopt;

@@ -101,3 +101,15 @@ TEST_CASE("a declaration is no definition, and overloads are told apart by their
     CHECK(bare_code(text, ranges[0]) == "intf(inta,intb){returna;}");
     CHECK(functions_named(text, "g").empty());
 }
+
+TEST_CASE("the learner's own tree renders the steps after 05 as soon as nothing of step 05 is missing") {
+    const SmallProject small;
+    const Project real{RT_ROOT, small.project.workshop};
+    CHECK(own_tree_flags(real, "06_textures").empty());
+    said_by([&](std::ostream& out) { start_step(real, "05_mesh_bvh", out); });
+    CHECK(own_tree_flags(real, "06_textures").empty());
+    for (const std::string& file : own_files(real, "05_mesh_bvh"))
+        put(small.own("05_mesh_bvh/" + file), text_of(real.root / "steps/05_mesh_bvh" / file));
+    CHECK(own_tree_flags(real, "06_textures") == Words{"--accel", "bvh"});
+    CHECK(own_tree_flags(real, "05_mesh_bvh").empty());
+}

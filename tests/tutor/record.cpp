@@ -31,7 +31,7 @@ TEST_CASE("Only what a compiler sees and the markers of exercises count in a sou
           "int a; int b; ");
     CHECK(rt::tutor::code_only("    /// Says \"no\".\nint a; ///< metres\n") == "int a; ");
     CHECK(rt::tutor::code_only("    //> turn it\n    return a;\n    //< return b;\n") ==
-          "//> turn it return a; //< return b; ");
+          "//> return a; //< return b; ");
     CHECK(rt::tutor::code_only("say(\"http://a.b // c\"); // spoken\n") ==
           "say(\"http://a.b // c\"); // spoken ");
     CHECK(rt::tutor::code_only("a / b; // half\n") == rt::tutor::code_only("a / b; // a quarter\n"));

@@ -209,3 +209,37 @@ TEST_CASE("if all steps are done, nothing is left") {
     CHECK(has(status(small), "all steps are done"));
     CHECK(has(status(small), "3 more from the reference")); // above.h was never begun
 }
+
+TEST_CASE("merging brings the given part up to date and keeps what the learner wrote") {
+    const SmallProject small;
+    start(small, "01_one");
+    replace(small.own("01_one/shape.h"), "return x;", "return 0.5f * x;");
+    CHECK(outdated_files(small.project, "01_one").empty());
+    const fs::path reference = small.root / "steps/01_one/shape.h";
+    replace(reference, "// Two functions.", "// Two of them.");
+    CHECK(outdated_files(small.project, "01_one").empty()); // only a comment
+    replace(reference, "int result = 1;", "int result = +1;");
+    CHECK(outdated_files(small.project, "01_one") == std::vector<std::string>{"shape.h"});
+    const auto merge = [&] {
+        return said_by([&](std::ostream& out) { merge_step(small.project, "01_one", out); });
+    };
+    CHECK(has(merge(), "to restore it: mv "));
+    const std::string text = text_of(small.own("01_one/shape.h"));
+    CHECK(has(text, "return 0.5f * x;"));
+    CHECK(has(text, "int result = +1;"));
+    CHECK(has(merge(), "those of the reference"));
+}
+
+TEST_CASE("merging keeps the learner's lines where the reference has changed the same ones") {
+    const SmallProject small;
+    start(small, "01_one");
+    replace(small.own("01_one/shape.h"), "    // TODO: divide by two\n    return x;", "    return x / 2;");
+    replace(small.root / "steps/01_one/shape.h", "//> divide by two", "//> what is half of it?");
+    replace(small.root / "steps/01_one/shape.h", "int result = 1;", "int result = +1;");
+    const std::string said = said_by([&](std::ostream& out) { merge_step(small.project, "01_one", out); });
+    CHECK(has(said, "your lines stay where both have changed: ./learn diff 01 shape.h"));
+    const std::string text = text_of(small.own("01_one/shape.h"));
+    CHECK(has(text, "inline float half(float x) {\n    return x / 2;\n}"));
+    CHECK(has(text, "int result = +1;"));
+    CHECK_FALSE(has(text, "<<<<"));
+}

@@ -129,7 +129,8 @@ void render_mine(const Session& session, Samples samples) {
                   .program = session.findings.scratch / "program",
                   .references = reference_folder(session.project.root),
                   .out = session.findings.scratch / "picture",
-                  .samples = samples};
+                  .samples = samples,
+                  .flags = own_tree_flags(session.project, session.step())};
     make_folder(job.out);
     PictureFinding& picture = session.findings.picture;
     if (!cut.empty()) {
@@ -143,6 +144,7 @@ void render_mine(const Session& session, Samples samples) {
         picture.verdict = "partial"; // the step is not done
         picture.lines = {"the same as the reference makes with the functions that you have written"};
     }
+    if (!job.flags.empty()) picture.lines.front() += ", rendered with your bvh.h";
     if (!cut.empty()) picture.complete = true;
     if (cut.empty() && picture.comparison && !picture.holds)
         session.findings.similar_mistakes = similar_mistakes(job);
@@ -447,6 +449,20 @@ void print_notes(const Session& session) {
         session.screen.line("note", "no file has changed since the last check", Colour::grey);
 }
 
+/// Says what differs between the reference's files and what the learner may expect of them.
+void print_reference_notes(const Session& session) {
+    const std::string folder = display_path(session.project.workshop / session.step());
+    for (const std::string& file : edited_references(session.project, session.step()))
+        session.screen.line("note", file + " is the reference, but it is edited; yours are in " + folder,
+                            Colour::yellow);
+    for (const std::string& file : outdated_files(session.project, session.step()))
+        session.screen.line("note",
+                            "the given part of " + folder + "/" + file +
+                                " has changed in the reference; to merge that: ./learn start " +
+                                number_of(session.step()) + " --merge",
+                            Colour::yellow);
+}
+
 /// The exercise that contains the line of a compile error in the learner's file.
 const Gap* gap_at(const Findings& findings, const CompileError& error) {
     const Gap* nearest = nullptr;
@@ -571,6 +587,7 @@ int check_step(const Project& project, const CheckOptions& options, std::ostream
     findings.scratch = scratch.path;
     const Session session{project, options, tools, screen, findings};
     print_notes(session);
+    if (started) print_reference_notes(session);
     bool compiles = true;
     try {
         blank ? greet(session) : check_all(session);

@@ -115,6 +115,7 @@ std::optional<std::string> render(const RenderJob& job) {
     if (noisy) append(command, {"--variance", (job.out / (job.step + ".variance.hdr")).string()});
     append(command, with_samples(words_in(reference_fact(job.root, job.step, "test flags")),
                                  noisy && job.samples == Samples::few ? few_samples : ""));
+    append(command, job.flags);
     const fs::path log = job.out / "log.txt";
     wait_for_program(command[0]);
     const ProcessResult result = run_process(command, {.log = log, .seconds = seconds_for_a_picture});

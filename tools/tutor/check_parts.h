@@ -45,6 +45,7 @@ struct RenderJob {
         references;            ///< the folder of STEP.hdr, STEP.png and, for a noisy step, STEP.variance.hdr
     std::filesystem::path out; ///< a folder for the same files of the program
     Samples samples = Samples::all;
+    Words flags = {}; ///< further flags, which do not change the picture
 };
 
 /// Returns the folder of the step's references.

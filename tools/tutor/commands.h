@@ -15,6 +15,9 @@ namespace rt::tutor {
 /// Writes the stubs of a step into the workshop, and lists the functions to write.
 void start_step(const Project& project, const std::string& step, std::ostream& out);
 
+/// Merges what has changed in the given parts of the learner's files, since ./learn start, into these files.
+void merge_step(const Project& project, const std::string& step, std::ostream& out);
+
 /// Prints the learner's progress in all steps, and what to do next.
 void show_status(const Project& project, std::ostream& out);
 
@@ -37,6 +40,20 @@ void undo_files(const Project& project, const std::string& step, const std::stri
 /// Builds and renders a step, with flags for its program, or all steps if `step` is empty, and compares with
 /// the references. Returns the exit code: 1 if a picture differs.
 int run_steps(const Project& project, const std::string& step, const Words& flags);
+
+/// Writes workshop/scenes/NAME.cpp, an example of a scene for the program of this step. Throws Error if it exists.
+void write_scene(const Project& project, const std::string& name, const std::string& step, std::ostream& out);
+
+/// Returns whether the learner has a scene of that name.
+bool has_scene(const Project& project, const std::string& name);
+
+/// Builds the step's program with a scene of the learner's own, renders it to workshop/renders/, and writes a page
+/// with all pictures there. Returns the program's exit code.
+int run_scene(const Project& project, const std::string& step, const std::string& name, const Words& flags);
+
+/// Builds the learner's program of a step for a debugger, and starts gdb, or lldb, on it, with further flags for the
+/// program; `only_build`: for an editor's debugger.
+void debug_step(const Project& project, const std::string& step, const Words& flags, bool only_build);
 
 /// Renders the reference of a step, or of all steps if `step` is empty, and their contact sheet.
 void make_references(const Project& project, const std::string& step);

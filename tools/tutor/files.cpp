@@ -1,9 +1,11 @@
-// ./learn start, diff and undo: creates the learner's files, compares them, and moves them out of the way.
+// ./learn start, diff and undo: creates the learner's files, brings their given parts up to date, compares them, and moves
+// them out of the way.
 #include "common/util/report_error.h"
 #include "common/util/error.h"
 #include "common/util/file_bytes.h"
 #include "tools/tutor/commands.h"
 #include "tools/tutor/diff.h"
+#include "tools/tutor/record.h"
 #include "tools/tutor/system.h"
 #include "tools/tutor/util.h"
 
@@ -101,6 +103,17 @@ std::string stub_of(const Project& project, const std::string& step, const std::
     return make_stub(read_file((steps_folder(project) / step / file).string()), here);
 }
 
+/// Where the stub is kept that the learner's file began with.
+fs::path base_of(const Project& project, const std::string& step, const std::string& file) {
+    return project.workshop / ".base" / step / file;
+}
+
+void write_base(const Project& project, const std::string& step, const std::string& file,
+                const std::string& stub) {
+    make_folder(project.workshop / ".base" / step);
+    write_file(base_of(project, step, file).string(), stub);
+}
+
 /// Returns the stubs of the files that the learner does not have yet.
 Contents missing_stubs(const Project& project, const std::string& step,
                        const std::vector<Exercise>& exercises, std::ostream& out) {
@@ -121,8 +134,28 @@ void write_stubs(const Project& project, const std::string& step, const Contents
     for (const auto& [file, stub] : stubs) check_file_writable((folder / file).string());
     for (const auto& [file, stub] : stubs) {
         write_file((folder / file).string(), stub);
+        write_base(project, step, file, stub);
         out << "created " << display_path(folder / file) << "\n";
     }
+}
+
+/// Writes workshop/compile_flags.txt, by which clangd finds the learner's headers before those of steps/, if there is
+/// none yet.
+void write_compile_flags(const Project& project) {
+    const fs::path path = project.workshop / "compile_flags.txt";
+    const fs::path packages = project.root / "build/release/prove/toolchain.txt";
+    std::error_code ignored;
+    if (fs::exists(path, ignored)) return;
+    Words flags{"-xc++", "-std=c++20", "-Wno-pragma-once-outside-header"};
+    for (const fs::path& folder : {project.workshop, steps_folder(project), project.root})
+        flags.push_back("-I" + fs::proximate(folder, project.workshop).generic_string());
+    if (fs::exists(packages, ignored))
+        for (const std::string& line : lines_of(read_file(packages.string())))
+            if (const std::string flag = line.substr(std::min<std::size_t>(line.size(), 5));
+                (flag.starts_with("-D") || flag.starts_with("-I")) && flag != "-I/usr/include" &&
+                !contains(flags, flag))
+                flags.push_back(flag);
+    write_file(path.string(), joined(flags, "\n") + "\n");
 }
 
 void list_tasks(const Project& project, const std::vector<Exercise>& exercises, std::ostream& out) {
@@ -165,6 +198,7 @@ void start_step(const Project& project, const std::string& step, std::ostream& o
     make_folder(project.workshop / step);
     out << "Step " << number << ": " << question_of(project, step) << "\n\n";
     write_stubs(project, step, missing_stubs(project, step, exercises, out), out);
+    write_compile_flags(project);
     out << "\nWrite " << exercises.size() << " functions. This is a good order:\n";
     list_tasks(project, exercises, out);
     out << "\n";
@@ -222,6 +256,78 @@ void back_up(const Project& project, const std::string& step, const std::string&
 }
 
 } // namespace
+
+Words edited_references(const Project& project, const std::string& step) {
+    std::string output;
+    const Words command{"git",  "-C", project.root.string(), "status", "--short",
+                        "-uno", "--", "steps/" + step};
+    const bool known = run_process(command, {.log = "/dev/null", .output = &output}).code == 0;
+    Words files;
+    if (!known) return files; // a copy without its history
+    for (const std::string& line : lines_of(output)) files.push_back(line.substr(3));
+    return files;
+}
+
+Words outdated_files(const Project& project, const std::string& step) {
+    const std::vector<Exercise> exercises = exercises_of(project, step);
+    Words files;
+    std::error_code ignored;
+    for (const std::string& file : own_files(project, step)) {
+        const fs::path base = base_of(project, step, file);
+        if (fs::exists(base, ignored) && fs::exists(steps_folder(project) / step / file, ignored) &&
+            code_only(read_file(base.string())) != code_only(stub_of(project, step, file, exercises)))
+            files.push_back(file);
+    }
+    return files;
+}
+
+namespace {
+
+/// Merges what has changed between the two stubs into the learner's text. Where both have changed the same lines, the
+/// learner's stay, and `clashes` is set.
+std::string merged(const std::string& own, const std::string& base, const std::string& stub, bool& clashes) {
+    const TemporaryFolder folder;
+    const auto put = [&](const char* name, const std::string& text) {
+        write_file((folder.path / name).string(), text);
+        return (folder.path / name).string();
+    };
+    const Words files{put("own", own), put("base", base), put("stub", stub)};
+    std::string text;
+    for (const bool keep_own : {false, true}) {
+        Words command{"git", "merge-file", "-p", "-q"};
+        if (keep_own) command.push_back("--ours");
+        append(command, files);
+        text.clear();
+        const int code = run_process(command, {.output = &text}).code;
+        if (code > 127) throw Error("git merge-file failed; is git installed?");
+        clashes = keep_own;
+        if (code == 0) break;
+    }
+    return text;
+}
+
+} // namespace
+
+void merge_step(const Project& project, const std::string& step, std::ostream& out) {
+    const std::vector<Exercise> exercises = exercises_of(project, step);
+    const Words files = outdated_files(project, step);
+    if (files.empty()) out << "the given parts of your files are those of the reference\n";
+    for (const std::string& file : files) {
+        const fs::path own = project.workshop / step / file;
+        const std::string stub = stub_of(project, step, file, exercises);
+        bool clashes = false;
+        const std::string text =
+            merged(read_file(own.string()), read_file(base_of(project, step, file).string()), stub, clashes);
+        back_up(project, step, file, out);
+        write_file(own.string(), text);
+        write_base(project, step, file, stub);
+        out << "merged the reference's changes into " << display_path(own)
+            << (clashes ? "; your lines stay where both have changed: ./learn diff " + number_of(step) + " " +
+                              file
+                        : "")
+            << "\n";
+    }
+}
 
 void undo_files(const Project& project, const std::string& step, const std::string& file, std::ostream& out) {
     Words files = own_files(project, step);

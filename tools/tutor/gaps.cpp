@@ -141,6 +141,17 @@ std::vector<Gap> gaps_of(const Project& project, const std::string& step) {
     return gaps;
 }
 
+Words own_tree_flags(const Project& project, const std::string& step, const Words& given) {
+    const std::string with_tree = "05_mesh_bvh";
+    std::error_code ignored;
+    if (step <= with_tree || !fs::is_regular_file(project.workshop / with_tree / "bvh.h", ignored)) return {};
+    const std::vector<Gap> gaps = gaps_of(project, with_tree);
+    const bool complete = std::ranges::find(gaps, GapState::unwritten, &Gap::state) == gaps.end(),
+               chosen =
+                   std::ranges::any_of(given, [](const auto&flag) { return flag.starts_with("--accel"); });
+    return complete && !chosen ? Words{"--accel", "bvh"} : Words();
+}
+
 Headers own_headers(const Project& project, const std::string& step) {
     return headers_up_to(project, step, false);
 }

@@ -25,6 +25,10 @@ struct Gap {
 /// Returns the functions to write of a step, in their order.
 std::vector<Gap> gaps_of(const Project& project, const std::string& step);
 
+/// Returns {"--accel", "bvh"} for the program of a step after 05, which uses the wide tree by default, if the learner has
+/// written bvh.h and nothing of step 05 is missing; nothing otherwise, and if the `given` flags choose.
+Words own_tree_flags(const Project& project, const std::string& step, const Words& given = {});
+
 /// Returns the learner's headers of the steps up to `step` as they are, with #line directives.
 Headers own_headers(const Project& project, const std::string& step);
 

@@ -26,7 +26,7 @@ namespace {
 struct Arguments {
     std::string root = ".", workshop, build, step, name, junit;
     Words steps;
-    bool again = false, all = false, reset = false, no_picture = false;
+    bool merge = false, only_build = false, again = false, all = false, reset = false, no_picture = false;
     Pixel pixel;
     BenchOptions bench;
     FuzzOptions fuzz;
@@ -99,12 +99,14 @@ void add_hint(CLI::App& app, Arguments& given) {
 }
 
 void add_workshop_commands(CLI::App& app, Arguments& given) {
-    add_step(add_command(app, "start",
-                         "Copies the files of a step into workshop/, with gaps for you to fill in. Never "
-                         "overwrites a file.",
-                         [&given] { start_step(given.project(), given.full_step(), std::cout); }),
-             given)
-        ->required();
+    CLI::App* const start = add_command(
+        app, "start",
+        "Copies the files of a step into workshop/, with gaps for you to fill in. Never overwrites a file.",
+        [&given] { (given.merge ? merge_step : start_step)(given.project(), given.full_step(), std::cout); });
+    add_step(start, given)->required();
+    start->add_flag("--merge", given.merge,
+                    "merge what has changed in the reference since then into your files, which are kept in "
+                    "workshop/.backup/");
     add_check(
         app, given, "check",
         "Builds your files, runs the checks of the step and of the earlier steps, renders, compares the "
@@ -177,6 +179,30 @@ void add_trace(CLI::App& app, Arguments& given) {
     trace->add_option("--sample", given.pixel.sample, "which sample of the pixel, from 1")
         ->check(CLI::Range(1, most));
     trace->allow_extras();
+}
+
+void add_own_programs(CLI::App& app, Arguments& given) {
+    CLI::App* const debug =
+        add_command(app, "debug",
+                    "Builds your program of a step for a debugger, and starts gdb, or lldb, on it. Further "
+                    "flags are passed "
+                    "to the program; by default it uses one thread and one sample per pixel.",
+                    [&given, &app] {
+                        debug_step(given.project(), given.full_step(),
+                                   app.get_subcommand("debug")->remaining(), given.only_build);
+                    });
+    add_step(debug, given);
+    debug->add_flag("--only-build", given.only_build,
+                    "only build build/debugger/NN_name, for the debugger of an editor");
+    debug->allow_extras();
+    CLI::App* const scene = add_command(
+        app, "scene", "Writes workshop/scenes/NAME.cpp, an example of a scene of your own.", [&given] {
+            const Project project = given.project();
+            write_scene(project, given.name, find_step(project, given.step.empty() ? "08" : given.step),
+                        std::cout);
+        });
+    scene->add_option("NAME", given.name, "such as lamp")->required();
+    scene->add_option("STEP", given.step, "the step that shows it, from 05 on; by default 08");
 }
 
 void add_test(CLI::App& app, Arguments& given) {
@@ -284,6 +310,7 @@ int run(int argc, char** argv) {
     add_workshop_commands(app, given);
     add_run(app, given);
     add_trace(app, given);
+    add_own_programs(app, given);
     add_test(app, given);
     add_bench(app, given);
     add_fuzz(app, given);

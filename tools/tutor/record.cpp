@@ -33,6 +33,7 @@ std::string code_only(const std::string& source) {
         const bool is_whole_line = at == line.find_first_not_of(' ');
         if (at != std::string::npos && !marks && (is_whole_line || line.find('"', at) == std::string::npos))
             line.resize(at);
+        if (marks && line[at + 2] == '>') line.resize(at + 3); // how it is asked proves nothing
         for (const std::string& word : words_in(line)) code += word + " ";
     }
     return code;

@@ -5,6 +5,7 @@
 #include "tools/tutor/build.h"
 #include "tools/tutor/check_parts.h"
 #include "tools/tutor/commands.h"
+#include "tools/tutor/gaps.h"
 #include "tools/tutor/system.h"
 #include "tools/tutor/util.h"
 
@@ -63,6 +64,13 @@ void compare(const Project& project, Row& row) {
     }
 }
 
+/// Returns the flags to render with the learner's own tree, and says so; nothing if the user chooses one.
+Words tree_flags(const Project& project, const std::string& step, const Words& given) {
+    const Words own = own_tree_flags(project, step, given);
+    if (!own.empty()) std::cout << step << " renders with your bvh.h (--accel wide is faster)" << std::endl;
+    return own;
+}
+
 void print_head() {
     std::cout << cell("step", -16) << cell("seconds", 8) << cell("Mrays/s", 12) << "  "
               << cell("verdict", -14) << "picture\n";
@@ -102,8 +110,9 @@ int run_all(const Project& project, const Preset& preset) {
     for (const std::string& step : all_steps(project)) {
         Row row{step, "ERROR", "", ""};
         wait_for_program(preset.program(step));
-        const int code =
-            run_unless_stopped(render_command(preset, step, project.root / "renders"), {.output = &row.log});
+        Words command = render_command(preset, step, project.root / "renders");
+        append(command, tree_flags(project, step, {}));
+        const int code = run_unless_stopped(command, {.output = &row.log});
         if (code == 0) {
             compare(project, row);
             pictures.push_back((project.root / "renders" / (step + ".png")).string());
@@ -148,6 +157,7 @@ int run_one(const Project& project, const Preset& preset, const std::string& ste
     if (kinds.help) replace_process({program, "--help"});
     Words command = kinds.name_file ? Words{program} : render_command(preset, step, project.root / "renders");
     append(command, flags);
+    append(command, tree_flags(project, step, flags));
     Row row{step, "own settings", "", ""}; // with changed settings there is no reference to compare with
     const int code = run_unless_stopped(command, {.output = &row.log, .echo = true});
     if (code == 2) return 2; // the program has printed the error
@@ -196,7 +206,29 @@ void make_reference(const Preset& preset, const std::string& step, const fs::pat
 
 } // namespace
 
-int run_steps(const Project& project, const std::string& step, const Words& flags) {
+namespace {
+
+/// Takes --scene NAME out of the flags and returns the name, unless it is one of the program's own scenes; then, and
+/// without --scene, nothing.
+std::string take_scene(const Project& project, const std::string& step, Words& flags) {
+    const std::string begin = "--scene=";
+    const auto option = std::ranges::find_if(
+        flags, [&](const std::string& flag) { return flag == "--scene" || flag.starts_with(begin); });
+    const bool joined = option != flags.end() && option->starts_with(begin);
+    if (option == flags.end() || (!joined && option + 1 == flags.end())) return "";
+    const std::string name = joined ? option->substr(begin.size()) : option[1];
+    const bool has_others = step.starts_with("08_");
+    if (has_others && !has_scene(project, name)) return "";
+    flags.erase(option, option + (joined ? 1 : 2));
+    return name;
+}
+
+} // namespace
+
+int run_steps(const Project& project, const std::string& step, const Words& given) {
+    Words flags = given;
+    if (const std::string scene = take_scene(project, step, flags); !scene.empty())
+        return run_scene(project, step, scene, flags);
     const Preset preset{project.root};
     make_folder(project.root / "renders");
     make(preset, {step.empty() ? "programs" : step});

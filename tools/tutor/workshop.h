@@ -45,6 +45,12 @@ Words files_to_write(const std::vector<Exercise>& exercises);
 /// there is no such folder.
 Words own_files(const Project& project, const std::string& step);
 
+/// Returns the files of the reference's step, "steps/03_mirror/mirror.h", that differ from what was committed.
+Words edited_references(const Project& project, const std::string& step);
+
+/// Returns the learner's files whose given part has changed in the reference, but for comments, since ./learn start.
+Words outdated_files(const Project& project, const std::string& step);
+
 /// Returns the learner's file that `word` means: "mirror.h", with or without leading folders. Throws Error.
 std::string find_own_file(const Project& project, const std::string& step, const std::string& word);
 

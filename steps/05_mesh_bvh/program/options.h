@@ -9,6 +9,11 @@
 #include <algorithm>
 #include <string>
 
+#if __has_include(                                                                                           \
+    "05_mesh_bvh/program/own_scene.h") // a scene of the user's own, by ./learn run 08 --scene NAME
+#include "05_mesh_bvh/program/own_scene.h"
+#endif
+
 namespace rt {
 
 /// Declares --accel.
@@ -52,6 +57,15 @@ LookAt add_framed_model(Scene& scene, const ModelOptions& options, float aspect)
     scene.planes = {{framing.floor, {0, 1, 0}, floor}};
     scene.lights = {{framing.key_light, framing.intensity_scale * vec3(2.3f, 2.15f, 1.9f)}};
     return framing.look_at;
+}
+
+/// Builds the user's own scene, if there is one, or else the step's by `build`, and returns the camera that shows it.
+template <typename Scene, typename Build>
+LookAt own_scene_or(Scene& scene, const Build& build) {
+    if constexpr (requires { make_scene(scene); })
+        return make_scene(scene);
+    else
+        return build(scene);
 }
 
 } // namespace rt
