@@ -30,6 +30,7 @@ struct CheckResult {
     CheckState state = CheckState::unfinished;
     double seconds = 0;
     std::vector<Failure> failures;
+    std::string cause{}; ///< what a second run found out, such as where the first NaN arose
 };
 
 /// Parses the output of `test_NN_name --reporters=lines`. A test case without an end is unfinished.
