@@ -334,7 +334,10 @@ void print_failure(const Session& session, const CheckResult& check) {
     const Failure& failure = check.failures.front();
     session.screen.line("",
                         check.state == CheckState::failed ? round_numbers(failure.values) : failure.values);
-    if (!failure.notes.empty()) session.screen.line("", failure.notes.back());
+    const std::string note = failure.notes.empty() ? "" : failure.notes.back();
+    const bool repeats =
+        note.starts_with("got ") && note.find(": ") == note.npos; // the value again, unexplained
+    if (!note.empty() && !repeats) session.screen.line("", note);
     if (!check.cause.empty()) session.screen.line("", check.cause);
 }
 

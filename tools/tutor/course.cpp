@@ -19,7 +19,7 @@ namespace {
 
 /// A picture of the page, and how it was made.
 Json rendered(const Preset& preset, const std::string& step, const Words& flags, const fs::path& picture) {
-    std::cout << "rendering " << joined({step, joined(flags, " ")}, " ") << " ... " << std::flush;
+    std::cout << "rendering " << picture.stem().string() << " ... " << std::flush;
     Words command{preset.program(step).string(), "--out", picture.string()};
     append(command, flags);
     std::string log;
