@@ -226,7 +226,7 @@ void explain_nan_pixel(const Session& session) {
                    (session.findings.scratch / "pixel.hdr").string(), "--quiet"});
     const Change change = session.change("mine", own_headers(session.project, session.step()));
     const std::string place = explain_nan(session.tools, change, program_source(session.step()), flags);
-    if (!place.empty()) picture.lines.push_back("The first NaN of this pixel arises " + place + ".");
+    if (!place.empty()) picture.lines.push_back("its first NaN arises " + place);
 }
 
 void collect_checks(Findings& findings) {
@@ -332,12 +332,11 @@ void print_failure(const Session& session, const CheckResult& check) {
     session.screen.line("failed", check.name, Colour::red);
     if (check.failures.empty()) return;
     const Failure& failure = check.failures.front();
-    session.screen.line("",
-                        check.state == CheckState::failed ? round_numbers(failure.values) : failure.values);
+    session.screen.line("", four_digits(failure.values));
     const std::string note = failure.notes.empty() ? "" : failure.notes.back();
     const bool repeats =
         note.starts_with("got ") && note.find(": ") == note.npos; // the value again, unexplained
-    if (!note.empty() && !repeats) session.screen.line("", note);
+    if (!note.empty() && !repeats) session.screen.line("", four_digits(note));
     if (!check.cause.empty()) session.screen.line("", check.cause);
 }
 

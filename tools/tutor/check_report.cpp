@@ -15,8 +15,8 @@ Json check_json(const CheckResult& check) {
                        check.state == CheckState::skipped;
     Words lines;
     for (const Failure& failure : check.failures) {
-        lines.push_back(failure.expression + ": " + failure.values);
-        append(lines, failure.notes);
+        lines.push_back(failure.expression + ": " + four_digits(failure.values));
+        for (const std::string& note : failure.notes) lines.push_back(four_digits(note));
     }
     if (!check.cause.empty()) lines.push_back(check.cause);
     return {{"name", check.name},
