@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <optional>
 #include <string>
 
 /// Marks a check that cannot run on this machine, with the reason; ctest reports it as skipped.
@@ -113,6 +114,12 @@ struct StringMaker<rt::vec2> {
 template <>
 struct StringMaker<rt::vec3> {
     static String convert(rt::vec3 v) { return rt::to_text(v).c_str(); }
+};
+template <typename Value>
+struct StringMaker<std::optional<Value>> {
+    static String convert(const std::optional<Value>& value) {
+        return value ? toString(*value) : String("nothing");
+    }
 };
 template <typename Value>
 struct StringMaker<rt::Approx<Value>> {

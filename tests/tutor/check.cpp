@@ -10,6 +10,7 @@
 #include <doctest/doctest.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/wait.h>
@@ -132,6 +133,24 @@ TEST_CASE("a program's output is captured, and its exit code and crash are repor
     CHECK(run_process({"sh", "-c", "kill -SEGV $$"}).crash.find("memory") != std::string::npos);
     CHECK(run_process({"sh", "-c", "exec sleep 20"}, {.seconds = 1}).timed_out);
     CHECK_THROWS_AS(run_process({"/nowhere/at/all"}), Error);
+}
+
+TEST_CASE("a page is opened by the first program that does that, and without one that is said") {
+    const TemporaryFolder folder;
+    const std::string before = std::getenv("PATH");
+    const fs::path opener = folder.path / "xdg-open", opened = folder.path / "opened";
+    put(opener, "#!/bin/sh\nprintf %s \"$1\" >'" + opened.string() + ".new'\n/bin/mv '" + opened.string() +
+                    ".new' '" + opened.string() + "'\n");
+    fs::permissions(opener, fs::perms::owner_all);
+    put(folder.path / "empty/x", "");
+    fs::create_symlink("/bin/sh", folder.path / "empty/sh");
+    set_environment("PATH", folder.path.string() + ":" + before);
+    CHECK(open_page("a page.html"));
+    for (int i = 0; i < 500 && !fs::exists(opened); ++i) usleep(10'000);
+    CHECK(text_of(opened) == fs::absolute("a page.html").string());
+    set_environment("PATH", (folder.path / "empty").string());
+    CHECK_FALSE(open_page("a page.html"));
+    set_environment("PATH", before);
 }
 
 TEST_CASE("of a compiler's many lines the first error in one of the learner's files is shown") {

@@ -58,6 +58,7 @@ TEST_CASE("numbers are rounded to four digits and other text is unchanged") {
     CHECK(round_numbers("6.00000001 == 4 within 1e-05") == "6 == 4 within 1e-05");
     CHECK(round_numbers("(0.123456, -12345.6, 7)") == "(0.1235, -1.235e+04, 7)");
     CHECK(round_numbers("vec3 x2 {?} -nan") == "vec3 x2 {?} nan");
+    CHECK(four_digits("256000 rays, got 3.58578634 within 1e-05") == "256000 rays, got 3.586 within 1e-05");
     CHECK(round_numbers(std::string(500, 'x')).size() == 100);
     CHECK(round_numbers("1.50000 1. 2e 2e+ 3e-07x 4E2 .5 x5 -0") == "1.5 1 2e 2e+ 3e-07x 400 .5 x5 -0");
 }

@@ -4,6 +4,7 @@
 #include "common/util/error.h"
 #include "tests/tutor/folder.h"
 #include "tools/tutor/commands.h"
+#include "tools/tutor/system.h"
 
 #include <doctest/doctest.h>
 
@@ -200,13 +201,23 @@ TEST_CASE("a fingerprint depends on the files of the step and of earlier steps, 
     CHECK(nothing.size() == 16);
 }
 
+TEST_CASE("the page at the end is refused while a step is open and says which") {
+    const SmallProject small;
+    try {
+        make_course_page(small.project, false);
+        FAIL("a page without pictures");
+    } catch (const CommandFailed& failure) {
+        CHECK(has(failure.what(), "to do: 01_one, 02_two"));
+    }
+}
+
 TEST_CASE("if all steps are done, nothing is left") {
     const SmallProject small;
     put(small.own("01_one/shape.h"), SmallProject::shape);
     put(small.own("02_two/base.h"), SmallProject::base);
     for (const char* step : {"01_one", "02_two"})
         write_check(small.project, step, {1, 0, "noise", fingerprint(small.project, step)});
-    CHECK(has(status(small), "all steps are done"));
+    CHECK(has(status(small), "All steps hold"));
     CHECK(has(status(small), "3 more from the reference")); // above.h was never begun
 }
 

@@ -104,6 +104,7 @@ void explain_difference(Comparison& comparison, const ComparisonInput& q) {
 bool tell_not_a_number(Comparison& comparison, const Image& test, const Image& reference) {
     const NotANumber found = not_a_number(test, reference);
     if (found.pixels == 0) return false;
+    comparison.not_a_number = found;
     comparison.verdict = Verdict::different;
     comparison.lines.push_back("different: " + counted(found.pixels, "pixel") +
                                " not a number (NaN or infinite; magenta in a file), the first at " +

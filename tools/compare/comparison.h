@@ -30,6 +30,7 @@ struct Comparison {
     double rmse = 0;                     ///< of linear values
     std::optional<TileDifference> tiles; ///< set if variances were given
     Location location;
+    std::optional<NotANumber> not_a_number; ///< set if there are such pixels
     CatalogueMatch match;
 };
 

@@ -192,8 +192,11 @@ Conclusion conclude(const Difference& d) {
         words << "different: " << d.differing << " of " << d.pixels << " pixels differ by more than "
               << limits.tolerance << ", largest " << d.largest << " at " << d.x << "," << d.y << ", "
               << change_in_words(double(luminance(d.test)), double(luminance(d.reference))) << " there; mean "
-              << d.mean << ", the whole picture " << 100 * std::abs(d.mean_change) << " % "
-              << (d.mean_change > 0 ? "brighter" : "darker");
+              << d.mean << ", the whole picture ";
+        if (std::abs(d.mean_change) < 0.001)
+            words << "equally bright";
+        else
+            words << 100 * std::abs(d.mean_change) << " % " << (d.mean_change > 0 ? "brighter" : "darker");
     }
     return {same, words.str()};
 }

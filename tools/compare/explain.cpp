@@ -200,7 +200,13 @@ std::vector<Hypothesis> gains(const Case& c) {
     return {scaled(name.str(), float(*gain))};
 }
 
-// ---- half a pixel
+// ---- movements of the whole picture
+
+/// A movement, and the share of the difference that is left after it is undone; 1 if it explains nothing.
+struct Movement {
+    std::string words;
+    double left = 1;
+};
 
 /// Returns the weighted sum of each pixel and its neighbours along (dx, dy). The border pixels are repeated.
 Image blurred(const Image& image, int dx, int dy, std::array<float, 3> weights) {
@@ -237,22 +243,35 @@ Image as_smooth(const Image& image, int dx, int dy) {
     return dy == 0 ? x : blurred(x, 0, 1, smoothing);
 }
 
-/// Returns the share of the difference that is left after the shift; 1 if there is no difference.
-double exact_shift_residue(const Image& test, const Image& reference, int dx, int dy) {
-    const Image right = as_smooth(reference, dx, dy);
-    const double before = root_mean_square(as_smooth(test, dx, dy), right);
-    return before > 0 ? root_mean_square(half_shifted(test, dx, dy), right) / before : 1;
+/// Returns the share of the difference that is left; 1 if there was none.
+double share_left(double after, double before) {
+    return before > 0 ? after / before : 1;
 }
 
-/// Returns the share of outlier tiles that are left after the shift. Averaging neighbours hardly changes the
-/// noise of a tile's sum.
-double noisy_shift_residue(const Case& c, int dx, int dy) {
-    const Variances& v = c.variances;
-    const TileDifference before = compare_tiles(c.test.image, c.reference.image, v.test, v.reference);
-    const TileDifference after = compare_tiles(half_shifted(c.test.image, dx, dy), c.reference.image,
-                                               half_shifted(v.test, dx, dy), v.reference);
-    return before.outliers > 0 ? double(after.outliers) / before.outliers : 1;
+double exact_shift_residue(const Image& test, const Image& reference, int dx, int dy) {
+    const Image right = as_smooth(reference, dx, dy);
+    return share_left(root_mean_square(half_shifted(test, dx, dy), right),
+                      root_mean_square(as_smooth(test, dx, dy), right));
 }
+
+/// Returns the share of outlier tiles that are left. Averaging neighbours hardly changes the noise of a tile's sum.
+double noisy_residue(const Case& c, const std::function<Image(const Image&)>& undo,
+                     const std::function<Image(const Image&)>& keep) {
+    const Image reference = keep(c.reference.image), variance = keep(c.variances.reference);
+    const auto outliers = [&](const std::function<Image(const Image&)>& change) {
+        return compare_tiles(change(c.test.image), reference, change(c.variances.test), variance).outliers;
+    };
+    return share_left(outliers(undo), outliers(keep));
+}
+
+double noisy_residue(const Case& c, const std::function<Image(const Image&)>& undo) {
+    return noisy_residue(c, undo, as_it_is.undo);
+}
+
+/// The two pictures, smoothed.
+struct SmoothPair {
+    Image test, reference;
+};
 
 /// Returns "shifted half a pixel to the right and down", given the shift that undoes it. If the mean of a
 /// pixel and its right neighbour is correct, the picture is too far to the right.
@@ -267,22 +286,125 @@ std::string shift_in_words(int dx, int dy) {
 constexpr std::array<std::array<int, 2>, 8> straight_then_diagonal{
     {{-1, 0}, {1, 0}, {0, -1}, {0, 1}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}}};
 
-/// Returns the shift that leaves the smallest difference, or "" if that is too large.
-std::string shift(const Case& c) {
+/// Returns the shift that leaves the smallest difference.
+Movement best_shift(const Case& c, const SmoothPair& smooth) {
     const bool noisy = c.variances.available();
-    const Image test = noisy ? Image() : smoothed(c.test.image);
-    const Image reference = noisy ? Image() : smoothed(c.reference.image);
-    std::string best;
-    double least = noisy ? limits.max_shift_outliers : limits.max_shift_residue;
+    const double limit = noisy ? limits.max_movement_outliers : limits.max_movement_residue;
+    Movement best;
     for (const auto& [dx, dy] : straight_then_diagonal) {
-        if (dx != 0 && dy != 0 && !best.empty() && best.find(" and ") == std::string::npos) break;
+        if (dx != 0 && dy != 0 && best.left < limit && best.words.find(" and ") == std::string::npos) break;
         const double left =
-            noisy ? noisy_shift_residue(c, dx, dy) : exact_shift_residue(test, reference, dx, dy);
-        if (left >= least) continue;
-        least = left;
-        best = shift_in_words(dx, dy);
+            noisy ? noisy_residue(
+                        c, [dx = dx, dy = dy](const Image& image) { return half_shifted(image, dx, dy); })
+                  : exact_shift_residue(smooth.test, smooth.reference, dx, dy);
+        if (left < best.left) best = {shift_in_words(dx, dy), left};
     }
     return best;
+}
+
+/// Returns the flip or half turn that leaves the smallest difference. Unlike an exact one its pixels may be off by one.
+Movement best_turn(const Case& c, const SmoothPair& smooth) {
+    Movement best;
+    for (const Hypothesis& turn : permutations(false)) {
+        const double left = c.variances.available()
+                                ? noisy_residue(c, turn.undo)
+                                : share_left(root_mean_square(turn.undo(smooth.test), smooth.reference),
+                                             root_mean_square(smooth.test, smooth.reference));
+        if (left < best.left) best = {turn.name, left};
+    }
+    return best;
+}
+
+// ---- zoom about the middle
+
+/// How much larger the test shows everything, in x and y.
+struct Zoom {
+    double x = 1, y = 1;
+};
+
+/// Returns width x height pixels around the middle of the image; neighbours are `spacing` pixels apart.
+Image resampled(const Image& image, Zoom spacing, int width, int height) {
+    Image result(width, height);
+    const auto at = [&](int x, int y) {
+        return image(std::clamp(x, 0, image.width - 1), std::clamp(y, 0, image.height - 1));
+    };
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const double u = (image.width - 1) / 2.0 + spacing.x * (x - (width - 1) / 2.0),
+                         v = (image.height - 1) / 2.0 + spacing.y * (y - (height - 1) / 2.0);
+            const int left = int(std::floor(u)), top = int(std::floor(v));
+            const float right = float(u - left), low = float(v - top);
+            result(x, y) = mix(mix(at(left, top), at(left + 1, top), right),
+                               mix(at(left, top + 1), at(left + 1, top + 1), right), low);
+        }
+    return result;
+}
+
+/// The part of the reference that a zoomed picture shows, in pixels that are `spacing` apart. It stays centred.
+struct Window {
+    int width = 0, height = 0, spacing = 1;
+
+    Window(const Image& image, Zoom zoom, int spacing_) : spacing(spacing_) {
+        const auto shown = [&](int size, double factor) {
+            return size / spacing - 2 * int((1 - 1 / std::max(factor, 1.0)) * size / spacing / 2);
+        };
+        width = shown(image.width, zoom.x);
+        height = shown(image.height, zoom.y);
+    }
+    Image of(const Image& image, Zoom zoom = {}) const {
+        return resampled(image, {spacing * zoom.x, spacing * zoom.y}, width, height);
+    }
+};
+
+double exact_zoom_residue(const SmoothPair& smooth, Zoom zoom) {
+    const Window window(smooth.test, zoom, std::max(1, smooth.test.width / 80)); // fewer are enough
+    const Image reference = window.of(smooth.reference);
+    return share_left(root_mean_square(window.of(smooth.test, zoom), reference),
+                      root_mean_square(window.of(smooth.test), reference));
+}
+
+std::string zoom_in_words(Zoom zoom) {
+    const double factor = zoom.x == 1 ? zoom.y : zoom.x;
+    std::ostringstream words;
+    words.precision(3);
+    if (zoom.x == zoom.y)
+        words << (factor > 1 ? "zoomed in" : "zoomed out") << " about the middle";
+    else
+        words << (factor > 1 ? "stretched" : "squeezed") << (zoom.x == 1 ? " in y" : " in x");
+    words << " by a factor of " << std::max(factor, 1 / factor);
+    return words.str();
+}
+
+/// Returns the zoom that leaves the smallest difference: coarse factors from 1/3 to 3 first, then finer ones.
+Movement best_zoom(const Case& c, const SmoothPair& smooth) {
+    Zoom best;
+    double least = 1;
+    const auto try_factor = [&](double logarithm, double in_x, double in_y) {
+        const Zoom zoom{std::exp(in_x * logarithm), std::exp(in_y * logarithm)};
+        const double left = exact_zoom_residue(smooth, zoom);
+        if (left >= least) return;
+        least = left;
+        best = zoom;
+    };
+    for (int k = -110; k <= 110; ++k)
+        for (const auto& [in_x, in_y] : {std::array{1, 1}, std::array{1, 0}, std::array{0, 1}})
+            if (std::abs(k) > 1) try_factor(0.01 * k, in_x, in_y);
+    const double in_x = best.x != 1, in_y = best.y != 1, coarse = std::log(best.x == 1 ? best.y : best.x);
+    for (int k = -9; k <= 9; ++k) try_factor(coarse + 0.001 * k, in_x, in_y);
+    if (!c.variances.available()) return {zoom_in_words(best), least};
+    const Window window(smooth.test, best, 1);
+    return {zoom_in_words(best), noisy_residue(
+                                     c, [&](const Image& image) { return window.of(image, best); },
+                                     [&](const Image& image) { return window.of(image); })};
+}
+
+/// Returns the movement that leaves the smallest difference, or "" if that is too large.
+std::string movement(const Case& c) {
+    const SmoothPair smooth{smoothed(c.test.image), smoothed(c.reference.image)};
+    Movement best{"", c.variances.available() ? limits.max_movement_outliers : limits.max_movement_residue};
+    for (const auto& find : {best_shift, best_turn, best_zoom})
+        if (const Movement found = find(c, smooth); found.left < best.left) best = found;
+    return best.words;
 }
 
 bool finite(const Image& image) {
@@ -306,7 +428,8 @@ std::string best_of(const Case& c, const std::vector<Hypothesis>& hypotheses) {
 
 std::string explanations_tried() {
     return "flipped, rows and columns swapped, red and blue swapped, sRGB encoding missing or done twice, "
-           "gamma 2.2 or a square root instead of it, the whole picture scaled, shifted by half a pixel";
+           "gamma 2.2 or a square root instead of it, the whole picture scaled, shifted by half a pixel, "
+           "half a turn, zoomed about the middle";
 }
 
 std::string explain(const EncodedImage& test, const EncodedImage& reference, const Variances& variances) {
@@ -318,8 +441,8 @@ std::string explain(const EncodedImage& test, const EncodedImage& reference, con
     for (const auto& more : {colour_maps(), gains(c)})
         hypotheses.insert(hypotheses.end(), more.begin(), more.end());
     if (const std::string best = best_of(c, hypotheses); !best.empty()) return best;
-    const std::string shifted = shift(c);
-    return shifted.empty() ? none_of_these : shifted;
+    const std::string moved = movement(c);
+    return moved.empty() ? none_of_these : moved;
 }
 
 } // namespace rt::compare

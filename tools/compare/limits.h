@@ -28,10 +28,10 @@ struct Limits {
     // Explanations.
     double named_gain = 0.01; ///< maximum relative difference of a gain from pi to be called pi
     double min_gain = 0.002;  ///< a gain closer to 1 than this is not an explanation
-    // Undoing a shift of half a pixel leaves a smaller share of the difference than this, a whole pixel a
-    // larger one: tests/compare/explain.cpp checks both.
-    double max_shift_residue = 0.3;
-    double max_shift_outliers = 0.2; ///< for noisy pictures: maximum share of the outliers
+    // Undoing a shift of half a pixel leaves 0.06 to 0.24 of the difference in renders of 02 to 06, of 0.31 where
+    // edges are steep, a whole pixel 0.5: tests/compare/explain.cpp checks both.
+    double max_movement_residue = 0.4;
+    double max_movement_outliers = 0.2; ///< for noisy pictures: maximum share of the outliers
 
     // The closest known wrong picture. These limits were chosen for small scenes and not measured with these.
     double catalogue_flip_mean = 0.002; ///< maximum of the mean FLIP to the known picture

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cctype>
 #include <iterator>
 #include <optional>
 
@@ -194,6 +195,42 @@ void explain_crashes(const Session& session, const Headers& headers) {
         }
 }
 
+bool has_nan(const CheckResult& check) {
+    if (check.state != CheckState::failed || check.failures.empty()) return false;
+    std::string values = check.failures.front().values;
+    std::ranges::replace_if(
+        values, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, ' ');
+    return contains(words_in(values), "nan");
+}
+
+/// Says which function made the first NaN of the first check that fails with one.
+void explain_nans(const Session& session, const Headers& headers) {
+    for (CheckedFile& file : session.findings.files)
+        for (std::size_t i = 0; i < file.results.size(); ++i) {
+            if (!has_nan(file.results[i])) continue;
+            const std::string number = std::to_string(i + 1);
+            const std::string place = explain_nan(session.tools, session.change("filled", headers),
+                                                  file.source, {"--first=" + number, "--last=" + number});
+            if (!place.empty()) file.results[i].cause = "The first NaN arose " + place + ".";
+            return;
+        }
+}
+
+/// Says which function made the first NaN of the picture. Only one pixel is rendered again.
+void explain_nan_pixel(const Session& session) {
+    PictureFinding& picture = session.findings.picture;
+    if (!picture.comparison || !picture.comparison->not_a_number) return;
+    const compare::NotANumber& pixel = *picture.comparison->not_a_number;
+    const std::string x = std::to_string(pixel.x), y = std::to_string(pixel.y),
+                      corner = std::to_string(pixel.x + 1) + "," + std::to_string(pixel.y + 1);
+    Words flags = words_in(reference_fact(session.project.root, session.step(), "test flags"));
+    append(flags, {"--crop", x + "," + y + "," + corner, "--out",
+                   (session.findings.scratch / "pixel.hdr").string(), "--quiet"});
+    const Change change = session.change("mine", own_headers(session.project, session.step()));
+    const std::string place = explain_nan(session.tools, change, program_source(session.step()), flags);
+    if (!place.empty()) picture.lines.push_back("its first NaN arises " + place);
+}
+
 void collect_checks(Findings& findings) {
     findings.checks.clear();
     for (const CheckedFile& file : findings.files)
@@ -297,9 +334,12 @@ void print_failure(const Session& session, const CheckResult& check) {
     session.screen.line("failed", check.name, Colour::red);
     if (check.failures.empty()) return;
     const Failure& failure = check.failures.front();
-    session.screen.line("",
-                        check.state == CheckState::failed ? round_numbers(failure.values) : failure.values);
-    if (!failure.notes.empty()) session.screen.line("", failure.notes.back());
+    session.screen.line("", four_digits(failure.values));
+    const std::string note = failure.notes.empty() ? "" : failure.notes.back();
+    const bool repeats =
+        note.starts_with("got ") && note.find(": ") == note.npos; // the value again, unexplained
+    if (!note.empty() && !repeats) session.screen.line("", four_digits(note));
+    if (!check.cause.empty()) session.screen.line("", check.cause);
 }
 
 void print_checks(const Session& session) {
@@ -410,7 +450,7 @@ std::string next_command(const Session& session) {
     const Words unwritten = names_in(findings, GapState::unwritten);
     if (!unwritten.empty()) return "./learn hint " + number + " " + unwritten.front();
     const std::string following = next_step_after(session.project, session.step());
-    return following.empty() ? "./learn run" : "./learn start " + number_of(following);
+    return following.empty() ? "./learn course" : "./learn start " + number_of(following);
 }
 
 void print_next(const Session& session) {
@@ -425,12 +465,22 @@ void print_next(const Session& session) {
     session.screen.line("next", text, Colour::bold);
 }
 
+/// Celebrates a step that holds, with its picture, which is kept beside the report.
 void print_done(const Session& session) {
-    if (!all_hold(session.findings) || own_files(session.project, session.step()).empty()) return;
+    const Findings& findings = session.findings;
+    if (!all_hold(findings) || own_files(session.project, session.step()).empty()) return;
     const bool last = next_step_after(session.project, session.step()).empty();
-    session.screen.line("", last ? "Step " + number_of(session.step()) +
-                                       " is done: you have written a path tracer."
-                                 : "Step " + number_of(session.step()) + " is done.");
+    std::string text = "Step " + number_of(session.step()) +
+                       (last ? " is done: you have written a path tracer." : " is done.");
+    if (!findings.picture.mine.empty()) {
+        const fs::path kept = session.project.workshop / "report" / (session.step() + ".png");
+        const std::string png = read_file(findings.picture.mine.string());
+        make_folder(kept.parent_path());
+        write_file(kept.string(), png);
+        session.screen.picture(png);
+        text += " Your picture: " + display_path(kept);
+    }
+    session.screen.line("well done", text, Colour::green);
 }
 
 /// Says what the learner may have overlooked.
@@ -507,7 +557,9 @@ void check_saved_file(const Session& session, const Headers& headers) {
         session.screen.line("saved", last + ", its checks: " + passed_text(results) + seconds_text(findings),
                             failures(results) == 0 ? Colour::green : Colour::red);
     });
-    if (session.options.picture) print_picture(session);
+    if (!session.options.picture) return;
+    explain_nan_pixel(session);
+    print_picture(session);
 }
 
 /// Runs the other checks of the step and those of the earlier steps; they wait until those of the saved file pass.
@@ -528,6 +580,7 @@ void check_all(const Session& session) {
     check_saved_file(session, headers);
     check_others(session, headers);
     explain_crashes(session, headers);
+    explain_nans(session, headers);
     collect_checks(findings);
     if (findings.complete && !findings.picture.complete) {
         render_mine(session, Samples::all);
@@ -601,6 +654,9 @@ int check_step(const Project& project, const CheckOptions& options, std::ostream
                 {int(findings.checks.size()) - failed, failed, findings.picture.verdict,
                  fingerprint(project, options.step)});
     screen.line("report", display_path(report), Colour::grey);
+    if (options.open && !open_page(report))
+        screen.line("note", "there is no program here that opens a page (xdg-open or open); open it yourself",
+                    Colour::yellow);
     return compiles && !blank && all_hold(findings) ? 0 : 1;
 }
 

@@ -15,9 +15,10 @@ Json check_json(const CheckResult& check) {
                        check.state == CheckState::skipped;
     Words lines;
     for (const Failure& failure : check.failures) {
-        lines.push_back(failure.expression + ": " + failure.values);
-        append(lines, failure.notes);
+        lines.push_back(failure.expression + ": " + four_digits(failure.values));
+        for (const std::string& note : failure.notes) lines.push_back(four_digits(note));
     }
+    if (!check.cause.empty()) lines.push_back(check.cause);
     return {{"name", check.name},
             {"state", !ended                          ? "unfinished"
                       : check.state == CheckState::ok ? "ok"
@@ -51,7 +52,9 @@ Words earlier_lines(const Findings& findings) {
 
 fs::path write_report(const Project& project, const CheckOptions& options, const Findings& findings) {
     const PictureFinding& picture = findings.picture;
+    const std::string stamp = std::to_string(std::chrono::system_clock::now().time_since_epoch().count());
     Json report{{"step", options.step},
+                {"stamp", stamp},
                 {"question", question_of(project, options.step)},
                 {"own_files", Json::array()},
                 {"checks", Json::array()},
@@ -76,6 +79,8 @@ fs::path write_report(const Project& project, const CheckOptions& options, const
     const fs::path folder = project.workshop / "report", path = folder / (options.step + ".html");
     make_folder(folder);
     write_file(path.string(), report_html(project.root, report));
+    write_file((folder / (options.step + ".js")).string(),
+               "newest(\"" + stamp + "\");\n"); // open pages run it
     return path;
 }
 

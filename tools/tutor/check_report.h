@@ -50,7 +50,8 @@ struct Findings {
     std::string next;
 };
 
-/// Writes workshop/report/NN_name.html and returns its path. Throws Error.
+/// Writes workshop/report/NN_name.html, and NN_name.js, by which an open page finds out that it is old. Returns the
+/// page's path. Throws Error.
 std::filesystem::path write_report(const Project& project, const CheckOptions& options,
                                    const Findings& findings);
 

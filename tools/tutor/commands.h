@@ -21,6 +21,13 @@ void merge_step(const Project& project, const std::string& step, std::ostream& o
 /// Prints the learner's progress in all steps, and what to do next.
 void show_status(const Project& project, std::ostream& out);
 
+/// Returns the steps that are not done.
+Words open_steps(const Project& project);
+
+/// Renders all steps and one more scene with the learner's programs, and writes workshop/report/course.html, a page to
+/// share; opens it if `open`. Throws CommandFailed if a step is not done.
+void make_course_page(const Project& project, bool open);
+
 /// Which of the hints of an exercise to show.
 enum class HintMode { next, again, all, reset };
 
@@ -96,7 +103,8 @@ struct CheckOptions {
     std::filesystem::path build; ///< a configured build folder with the checks of all steps
     bool picture = true;         ///< false: run only the checks
     bool colour = false;
-    int width = 100; ///< columns of the terminal
+    int width = 100;   ///< columns of the terminal
+    bool open = false; ///< opens the report in the browser
 };
 
 /// Checks a step. Returns the exit code: 0 if everything passes, 1 if not. Writes workshop/.state and

@@ -97,22 +97,27 @@ bool has_failed(const CheckResult& result) {
     return result.state != CheckState::ok && result.state != CheckState::skipped;
 }
 
-std::string round_numbers(std::string_view values) {
+std::string four_digits(std::string_view text, bool also_integers) {
     std::string out;
-    for (std::size_t i = 0; i < values.size();) {
-        const std::size_t end = end_of_number(values, i);
-        if (end == i) {
-            out += values[i++];
+    for (std::size_t i = 0; i < text.size();) {
+        const std::size_t end = end_of_number(text, i);
+        const std::string number(text.substr(i, end - i));
+        if (number.empty()) {
+            out += text[i++];
             continue;
         }
-        char text[32];
-        std::snprintf(text, sizeof text, "%.4g", std::atof(std::string(values.substr(i, end - i)).c_str()));
-        out += text;
+        char rounded[32];
+        std::snprintf(rounded, sizeof rounded, "%.4g", std::atof(number.c_str()));
+        out += also_integers || number.find('.') != number.npos ? rounded : number;
         i = end;
     }
     for (std::size_t at; (at = out.find("-nan")) != std::string::npos;)
         out.erase(at, 1); // the sign of a NaN is random
-    return out.substr(0, max_values_length);
+    return out;
+}
+
+std::string round_numbers(std::string_view values) {
+    return four_digits(values, true).substr(0, max_values_length);
 }
 
 Signature signature_of(const std::string& id, const std::vector<CheckResult>& results) {

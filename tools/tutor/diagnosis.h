@@ -30,6 +30,7 @@ struct CheckResult {
     CheckState state = CheckState::unfinished;
     double seconds = 0;
     std::vector<Failure> failures;
+    std::string cause{}; ///< what a second run found out, such as where the first NaN arose
 };
 
 /// Parses the output of `test_NN_name --reporters=lines`. A test case without an end is unfinished.
@@ -53,7 +54,10 @@ struct Signature {
     std::vector<FailedAssertion> assertions;
 };
 
-/// Returns the text with its numbers rounded to four significant digits, cut off after 100 characters.
+/// Returns the text with its fractions, or all of its numbers, rounded to four significant digits.
+std::string four_digits(std::string_view text, bool also_integers = false);
+
+/// Returns the text with all numbers rounded to four significant digits, cut off after 100 characters.
 std::string round_numbers(std::string_view values);
 
 /// Builds the signature of the results of one file of checks.

@@ -26,7 +26,8 @@ namespace {
 struct Arguments {
     std::string root = ".", workshop, build, step, name, junit;
     Words steps;
-    bool merge = false, only_build = false, again = false, all = false, reset = false, no_picture = false;
+    bool merge = false, only_build = false, again = false, all = false, reset = false, no_picture = false,
+         open = false;
     Pixel pixel;
     BenchOptions bench;
     FuzzOptions fuzz;
@@ -77,11 +78,13 @@ void add_check(CLI::App& app, Arguments& given, const std::string& name, const s
                                    .build = build,
                                    .picture = !given.no_picture,
                                    .colour = colour_is_welcome(),
-                                   .width = terminal_width()};
+                                   .width = terminal_width(),
+                                   .open = given.open};
         given.code = check(project, options, std::cout);
     });
     add_step(command, given);
     command->add_flag("--no-picture", given.no_picture, "run only the checks");
+    command->add_flag("--open", given.open, "open the report in the browser");
     command->add_option("--build", given.build, "the build folder, by default ROOT/build/release");
 }
 
@@ -116,6 +119,11 @@ void add_workshop_commands(CLI::App& app, Arguments& given) {
     add_check(app, given, "watch", "Runs the check again each time you save a file; q quits.", watch_step);
     add_command(app, "status", "Shows which steps are done, and what to do next.",
                 [&given] { show_status(given.project(), std::cout); });
+    add_command(app, "course",
+                "Renders all eight steps and the cover of a well-known book with your programs, and writes a "
+                "page to share.",
+                [&given] { make_course_page(given.project(), given.open); })
+        ->add_flag("--open", given.open, "open the page in the browser");
     add_hint(app, given);
     CLI::App* const diff = add_command(
         app, "diff",

@@ -19,7 +19,8 @@ std::string base64(std::string_view bytes);
 /// Returns the page for a report with the fields step, question, own_files, checks (name, state, seconds,
 /// lines), earlier, verdict, verdict_lines, flip_mean, flip_max, tiles_over_4, mistake (title, confidence,
 /// shows, why, fix, picture; or null), next, settings and pictures (mine, reference, map). Pictures are paths
-/// of PNG files, which are embedded in the page. The template is tools/tutor/report.html. Throws Error.
+/// of PNG files, which are embedded in the page. With a field stamp it loads itself again when STEP.js beside it has
+/// another one. The template is tools/tutor/report.html. Throws Error.
 std::string report_html(const std::filesystem::path& root, Json report);
 
 } // namespace rt::tutor

@@ -1,6 +1,7 @@
 // Prints lines with a label in front, wrapped to the terminal's width, with colours where a person sees them.
 #pragma once
 
+#include "tools/tutor/thumbnail.h"
 #include "tools/tutor/util.h"
 
 #include "common/util/report_error.h"
@@ -33,6 +34,11 @@ class Screen {
 
     /// Prints a line of code as it is.
     void code(const std::string& text) { out << blank() << printable(text) << "\n"; }
+
+    /// Shows a PNG file, where a person with a terminal that can show it looks.
+    void picture(const std::string& png) {
+        if (colour && terminal_shows_pictures()) out << blank() << thumbnail(png, 40) << "\n" << std::flush;
+    }
 
     void title(const std::string& text) { out << painted(text, Colour::bold) << "\n" << std::flush; }
 

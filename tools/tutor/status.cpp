@@ -94,16 +94,24 @@ std::string next_action(const std::vector<StepStatus>& all) {
     if (from != all.end()) return "./learn start " + number(*from);
     const auto skipped = std::ranges::find_if_not(all, done);
     if (skipped != all.end()) return "./learn start " + number(*skipped);
-    return "nothing, all steps are done; ./learn run renders them";
+    return "./learn course, which makes a page of your eight pictures to share";
 }
 
 } // namespace
+
+Words open_steps(const Project& project) {
+    Words open;
+    for (const StepStatus& status : all_statuses(project))
+        if (!status.has_files || !status.done()) open.push_back(status.step);
+    return open;
+}
 
 void show_status(const Project& project, std::ostream& out) {
     const std::vector<StepStatus> all = all_statuses(project);
     for (const StepStatus& status : all)
         out << (status.has_files && status.done() ? "done  " : "      ") << std::left << std::setw(16)
             << status.step << status_text(status) << "\n";
+    if (open_steps(project).empty()) out << "\nAll steps hold: you have written a path tracer.\n";
     out << "\nnext: " << next_action(all) << "\n";
 }
 

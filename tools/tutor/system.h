@@ -64,6 +64,9 @@ struct Cancelled {};
 /// An empty question ends that.
 void cancel_if(std::function<bool()> question);
 
+/// Opens a page in the browser and does not wait for it. Returns false if no program here does that.
+bool open_page(const std::filesystem::path& page);
+
 bool is_terminal(int stream); ///< 0: stdin, 1: stdout
 
 /// Exclusive lock on the folder that contains a build, so that only one process builds at a time; ./learn

@@ -175,6 +175,16 @@ bool is_terminal(int stream) {
     return isatty(stream) == 1;
 }
 
+bool open_page(const fs::path& page) {
+    const std::string script = "for opener in wslview xdg-open open; do\n"
+                               "    command -v $opener >/dev/null || continue\n"
+                               "    $opener \"$1\" >/dev/null 2>&1 &\n"
+                               "    exit 0\n"
+                               "done\n"
+                               "exit 1";
+    return run_process({"sh", "-c", script, "sh", fs::absolute(page).string()}).code == 0;
+}
+
 BuildLock::BuildLock(const fs::path& build) {
     const fs::path place = fs::absolute(build / "").lexically_normal().parent_path().parent_path();
     folder = open(place.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);

@@ -265,16 +265,21 @@ std::string bare_name(std::string function) {
     return function.substr(function.find_last_of(": ") + 1); // npos + 1 is 0
 }
 
-/// The first frame of a stack trace in one of the learner's files: "#2 0x1f in rt::radiance(...) workshop/...:34".
-std::string learners_frame(const std::string& report) {
-    for (const std::string& line : lines_of(report)) {
-        const std::size_t in = line.find(" in "), path = line.find("workshop/");
-        if (line.find('#') > 8 || in == line.npos || path == line.npos) continue;
-        const std::size_t begin = line.rfind(' ', path) + 1;
-        std::string place = line.substr(path);
-        if (std::ranges::count(place, ':') > 1) place.resize(place.rfind(':')); // without the column
-        return "in " + bare_name(line.substr(in + 4, begin - in - 5)) + " (" + place + ")";
-    }
+/// "in radiance (workshop/03_mirror/radiance.h:34)" for a line of a stack trace in one of the learner's files, such as
+/// "#2 0x1f in rt::radiance(...) workshop/...:34:5"; empty for others.
+std::string learners_frame(const std::string& line) {
+    const std::size_t in = line.find(" in "), path = line.find("workshop/");
+    if (line.find('#') > 8 || in == line.npos || path == line.npos) return "";
+    const std::size_t begin = line.rfind(' ', path) + 1;
+    std::string place = line.substr(path);
+    if (std::ranges::count(place, ':') > 1) place.resize(place.rfind(':')); // without the column
+    return "in " + bare_name(line.substr(in + 4, begin - in - 5)) + " (" + place + ")";
+}
+
+/// The first of the learner's frames.
+std::string first_frame(const std::string& report) {
+    for (const std::string& line : lines_of(report))
+        if (const std::string frame = learners_frame(line); !frame.empty()) return frame;
     return "";
 }
 
@@ -304,21 +309,52 @@ std::string crash_cause(const std::string& report) {
 
 } // namespace
 
-std::string explain_crash(const Toolchain& tools, const Change& change, const std::string& source) {
+std::string first_nan(const std::string& stacks) {
+    bool is_open = true; // all frames of this stack so far are of libraries
+    for (const std::string& line : lines_of(stacks)) {
+        if (line.find("#0 ") != line.npos) is_open = true;
+        const std::string frame = learners_frame(line);
+        if (is_open && !frame.empty()) return frame;
+        const bool is_other = line.find("steps/0") != line.npos || line.find("tests/0") != line.npos;
+        if (!frame.empty() || is_other) is_open = false;
+    }
+    return "";
+}
+
+namespace {
+
+/// Compiles a check or program again with sanitizers and runs it. Returns what it prints.
+std::string run_sanitized(const Toolchain& tools, const Change& change, const std::string& source,
+                          const Words& flags, const Words& arguments) {
     const TemporaryFolder scratch(tools.work);
-    const BuildPlan plan{source,
-                         {"-fsanitize=address,undefined", "-O0", "-g1", "-D_GLIBCXX_ASSERTIONS",
-                          "-fno-sanitize=vptr", "-fno-omit-frame-pointer"},
-                         true};
+    BuildPlan plan{source,
+                   {"-fsanitize=address,undefined", "-O0", "-g1", "-D_GLIBCXX_ASSERTIONS",
+                    "-fno-sanitize=vptr", "-fno-omit-frame-pointer"},
+                   source.starts_with("tests/")};
+    append(plan.flags, flags);
     if (!build_program(tools, change, plan, scratch.path).compiled) return "";
     const fs::path log = scratch.path / "checks.log";
     set_environment("ASAN_OPTIONS", "detect_leaks=0:handle_abort=1:allocator_may_return_null=1");
     set_environment("UBSAN_OPTIONS", "halt_on_error=1:print_stacktrace=1");
-    run_process({(scratch.path / "program").string(), "--reporters=lines"}, {.log = log, .cpu_seconds = 30});
-    const std::string report = read_file(log.string()), cause = crash_cause(report),
-                      place = learners_frame(report);
+    Words command{(scratch.path / "program").string()};
+    append(command, arguments);
+    run_process(command, {.log = log, .cpu_seconds = 30});
+    return read_file(log.string());
+}
+
+} // namespace
+
+std::string explain_crash(const Toolchain& tools, const Change& change, const std::string& source) {
+    const std::string report = run_sanitized(tools, change, source, {}, {"--reporters=lines"}),
+                      cause = crash_cause(report), place = first_frame(report);
     if (cause.empty()) return "";
     return place.empty() ? cause : cause + ", " + place;
+}
+
+std::string explain_nan(const Toolchain& tools, const Change& change, const std::string& source,
+                        const Words& arguments) {
+    const fs::path trap = tools.root / "tools/tutor/nan_trap.h";
+    return first_nan(run_sanitized(tools, change, source, {"-include", trap.string()}, arguments));
 }
 
 } // namespace rt::tutor

@@ -73,4 +73,13 @@ Outcome build_step(const Toolchain& tools, const Change& change, const std::file
 /// assertions. Empty if these find nothing.
 std::string explain_crash(const Toolchain& tools, const Change& change, const std::string& source);
 
+/// Where the first NaN arose: "in reflect (workshop/03_mirror/mirror.h:34)". Compiles the file of checks or the program
+/// again with nan_trap.h and runs it with the arguments. Empty if none arose in a function of the learner's.
+std::string explain_nan(const Toolchain& tools, const Change& change, const std::string& source,
+                        const Words& arguments);
+
+/// The place of the first of the stacks that nan_trap.h prints that is in a learner's function, or in a library that it
+/// calls. A NaN that arises in the reference's functions or in a check is no fault.
+std::string first_nan(const std::string& stacks);
+
 } // namespace rt::tutor

@@ -71,13 +71,15 @@ std::optional<int> check_once(const Project& project, const CheckOptions& option
 
 int watch_step(const Project& project, const CheckOptions& options, std::ostream& out) {
     const Keys keys;
+    CheckOptions next = options;
     std::string seen;
     for (int code = 0;;) {
         const auto now = fingerprint_now(project, options.step);
         if (now && *now != seen) {
             if (is_terminal(1)) out << "\x1b[2J\x1b[H";
             seen = *now;
-            code = check_once(project, options, seen, out).value_or(code);
+            code = check_once(project, next, seen, out).value_or(code);
+            next.open = false; // the open page loads itself again
         }
         const auto key = keys.next(200);
         if (key == 'q' || key == 'Q') return code;
