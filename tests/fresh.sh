@@ -99,6 +99,15 @@ for target in "$@"; do
 done
 END
 
+# The stub of the compiler that ./learn calls for the guide, which is compiled in earnest once.
+cat >"$stubs/c++" <<'END'
+#!/usr/bin/env bash
+stubs=$(dirname "$0")
+[ -e "$stubs/guide" ] || PATH=${PATH#*:} c++ "$@" || exit
+while [ "$1" != -o ]; do shift; done
+[ -e "$stubs/guide" ] && cp "$stubs/guide" "$2" || cp "$2" "$stubs/guide"
+END
+
 printf '#!/bin/sh\necho "Total Tests: 1"\n' >"$stubs/ctest"
 # shellcheck disable=SC2016 # expanded in the stub
 printf '#!/bin/sh\nshift 2\nprintf "%%s=installed " "$@"\n' >"$stubs/dpkg-query"
@@ -111,6 +120,7 @@ here=$clone learn=./learn # the current folder and the command
 first() { # $1: a part of the output; the rest: the arguments
     local part=$1 said code
     shift
+    flock -w 20 "$clone/build" true 2>/dev/null # the build that start leaves in the background
     rm -rf "$clone"/{build,renders,workshop}
     said=$(cd "$here" && PATH=$stubs:$PATH "$learn" "$@" 2>&1 </dev/null)
     code=$?
