@@ -123,7 +123,7 @@ first() { # $1: a part of the output; the rest: the arguments
     rm -rf "$clone"/{build,renders,workshop}
     said=$(cd "$here" && PATH=$stubs:$PATH "$learn" "$@" 2>&1 </dev/null)
     code=$?
-    if [ "$1" = start ]; then # it leaves a build in the background
+    if [ "${1-}" = start ]; then # it leaves a build in the background
         for _ in {1..200}; do compgen -G "$clone/build/tutor.*[0-9]" >/dev/null && break || sleep 0.1; done
     fi
     if [ $code != 0 ] || [[ $said != *"$part"* ]]; then
