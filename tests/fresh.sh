@@ -103,6 +103,7 @@ END
 cat >"$stubs/c++" <<'END'
 #!/usr/bin/env bash
 stubs=$(dirname "$0")
+[ "$1" = -x ] || exec echo "c++ 1.0" # asked for its version
 [ -e "$stubs/guide" ] || PATH=${PATH#*:} c++ "$@" || exit
 while [ "$1" != -o ]; do shift; done
 [ -e "$stubs/guide" ] && cp "$stubs/guide" "$2" || cp "$2" "$stubs/guide"
