@@ -39,7 +39,7 @@ function(find_includes sources own)
 endfunction()
 
 function(use_steps target)
-    target_link_libraries(${target} PRIVATE raysteps::accel)
+    target_link_libraries(${target} PRIVATE raysteps::accel models)
     target_include_directories(${target} BEFORE PRIVATE ${PROJECT_SOURCE_DIR}/workshop ${PROJECT_SOURCE_DIR}/steps)
     get_target_property(sources ${target} SOURCES)
     list(FILTER sources EXCLUDE REGEX "<") # object files
@@ -62,9 +62,6 @@ function(parse_ahead target header)
     target_precompile_headers(${target} PRIVATE ${PROJECT_SOURCE_DIR}/${header})
 endfunction()
 
-# A learner waits for the compiler, not for the checks.
-set(quickly_compiled $<$<CONFIG:Release>:-O1>)
-
 function(add_checks target prefix labels)
     set(sources ${ARGN})
     if(NOT RAYSTEPS_TESTS OR NOT sources OR NOT TARGET common)
@@ -79,7 +76,7 @@ function(add_checks target prefix labels)
     add_executable(${target} ${sources} $<TARGET_OBJECTS:test_main>)
     target_link_libraries(${target} PRIVATE common rt::native rt::doctest)
     use_steps(${target})
-    if(NOT "statistics" IN_LIST labels) # statistics take long to run, not to compile
+    if(NOT "statistics" IN_LIST labels) # a learner waits for the compiler; statistics take long to run, not to compile
         target_compile_options(${target} PRIVATE ${quickly_compiled})
         target_precompile_headers(${target} REUSE_FROM test_pch)
     endif()

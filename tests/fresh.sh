@@ -99,6 +99,16 @@ for target in "$@"; do
 done
 END
 
+# The stub of the compiler that ./learn calls for the guide, which is compiled in earnest once.
+cat >"$stubs/c++" <<'END'
+#!/usr/bin/env bash
+stubs=$(dirname "$0")
+[ "$1" = -x ] || exec echo "c++ 1.0" # asked for its version
+[ -e "$stubs/guide" ] || PATH=${PATH#*:} c++ "$@" || exit
+while [ "$1" != -o ]; do shift; done
+[ -e "$stubs/guide" ] && cp "$stubs/guide" "$2" || cp "$2" "$stubs/guide"
+END
+
 printf '#!/bin/sh\necho "Total Tests: 1"\n' >"$stubs/ctest"
 # shellcheck disable=SC2016 # expanded in the stub
 printf '#!/bin/sh\nshift 2\nprintf "%%s=installed " "$@"\n' >"$stubs/dpkg-query"
@@ -114,6 +124,9 @@ first() { # $1: a part of the output; the rest: the arguments
     rm -rf "$clone"/{build,renders,workshop}
     said=$(cd "$here" && PATH=$stubs:$PATH "$learn" "$@" 2>&1 </dev/null)
     code=$?
+    if [ "${1-}" = start ]; then # it leaves a build in the background
+        for _ in {1..200}; do compgen -G "$clone/build/tutor.*[0-9]" >/dev/null && break || sleep 0.1; done
+    fi
     if [ $code != 0 ] || [[ $said != *"$part"* ]]; then
         printf '%s\n' "WRONG: $learn $*: expected exit 0 and '$part', got exit $code and: $said"
         bad=1
@@ -169,6 +182,23 @@ first "renders/03_mirror.png" run 03
 unset CDPATH
 
 here=$clone learn=./learn
+
+# The tutor stays when the folder is moved, and libraries are built again; a change of its sources builds it again.
+rm -rf "$clone"/{build,workshop}
+check_says() { # $1: whether the tutor is built (0 or 1), $2: when
+    said=$(cd "$here" && PATH=$stubs:$PATH ./learn check 03 --no-picture 2>&1)
+    [[ $said == *"pass"* ]] && [ "$(grep -c "^building the tutor" <<<"$said")" = "$1" ] ||
+        { echo "WRONG: check $2: $said" && bad=1; }
+}
+check_says 1 "in a fresh clone"
+mv "$clone" "$folder/moved"
+here=$folder/moved
+check_says 0 "in a folder that was moved"
+check_says 0 "for the second time in a folder that was moved"
+echo "// changed" >>"$here/tools/tutor/util.h"
+check_says 1 "after a change of the tutor"
+mv "$here" "$clone"
+here=$clone
 
 # Two simultaneous builds: one builds, the other reports that it waits. The lock of a killed process blocks nothing.
 rm -rf "$clone/build"

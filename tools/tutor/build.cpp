@@ -70,31 +70,57 @@ fs::path log_of(const Preset& preset) {
                         " and try again");
 }
 
-void configure_locked(const Preset& preset, bool again) {
+/// Returns whether a file did not compile, or a program did not link.
+bool compiling_failed(const Preset& preset) {
+    return std::ranges::any_of(lines_of(read_file(log_of(preset).string())), [](const std::string& line) {
+        return line.starts_with("FAILED: ") && line.find("build.ninja") == line.npos &&
+               line.find("verify_globs") == line.npos;
+    });
+}
+
+bool configure_locked(const Preset& preset, bool again) {
     std::error_code ignored;
     const fs::path made = preset.folder() / "build.ninja";
     write_file(log_of(preset).string(), "");
-    if (fs::exists(made, ignored) && !again) return;
+    if (fs::exists(made, ignored) && !again) return true;
     fs::remove(made, ignored);
     const Words command{"cmake", "--preset", preset.name, "-S", preset.root.string()};
-    if (run_process(command, {.log = log_of(preset), .append = true}).code != 0) give_up(preset);
+    return run_process(command, {.log = log_of(preset), .append = true}).code == 0;
+}
+
+bool build_locked(const Preset& preset, const Words& targets) {
+    if (!configure_locked(preset, false)) return false;
+    Words command{"cmake", "--build", preset.folder().string(), "--target"};
+    command.insert(command.end(), targets.begin(), targets.end());
+    return run_process(command, {.log = log_of(preset), .append = true}).code == 0;
+}
+
+/// Builds, and again with new build files if nothing failed to compile: a crash or a full disk may have left broken
+/// ones. Compiled objects are kept.
+bool build_patiently(const Preset& preset, const Words& targets) {
+    for (const char* const broken : {"build.ninja", "CMakeCache.txt"}) {
+        if (build_locked(preset, targets)) return true;
+        if (compiling_failed(preset)) return false;
+        std::error_code ignored;
+        for (const char* const name :
+             {broken, "build.ninja", "CMakeFiles/VerifyGlobs.cmake", "CMakeFiles/cmake.verify_globs"})
+            fs::remove(preset.folder() / name, ignored);
+    }
+    return build_locked(preset, targets);
 }
 
 } // namespace
 
 void configure(const Preset& preset, bool again) {
     const BuildLock alone(preset.folder());
-    configure_locked(preset, again);
+    if (!configure_locked(preset, again)) give_up(preset);
 }
 
 void make(const Preset& preset, const Words& targets, bool quiet) {
     const BuildLock alone(preset.folder());
     const auto begin = std::chrono::steady_clock::now();
     if (!quiet) std::cout << "building... " << std::flush;
-    configure_locked(preset, false);
-    Words command{"cmake", "--build", preset.folder().string(), "--target"};
-    command.insert(command.end(), targets.begin(), targets.end());
-    if (run_process(command, {.log = log_of(preset), .append = true}).code != 0) give_up(preset);
+    if (!build_patiently(preset, targets)) give_up(preset);
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
     if (!quiet) std::cout << int(time.count()) << " s" << std::endl;
 }

@@ -612,10 +612,10 @@ Toolchain ready_toolchain(const Project& project, const CheckOptions& options, S
     const Preset preset{project.root, options.build.filename().string()};
     std::error_code ignored;
     const fs::path work = options.build / "check";
-    if (!fs::exists(work, ignored))
-        screen.line("once", "building what all checks need: the common library and precompiled headers",
-                    Colour::grey);
-    if (options.build == preset.folder()) make(preset, {"common", "raysteps_accel", "test_main"}, true);
+    const Words libraries = libraries_for(options.step);
+    if (!fs::exists(work, ignored) || !fs::exists(options.build / ("lib" + libraries.back() + ".a"), ignored))
+        screen.line("once", "building what the checks need: libraries and precompiled headers", Colour::grey);
+    if (options.build == preset.folder()) make(preset, libraries, true);
     make_folder(work);
     const Toolchain tools = read_toolchain(project.root, options.build, work, Strictness::learner);
     precompile_headers(tools, options.step);

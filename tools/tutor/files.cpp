@@ -1,12 +1,9 @@
-// ./learn start, diff and undo: creates the learner's files, brings their given parts up to date, compares them, and moves
-// them out of the way.
-#include "common/util/report_error.h"
+// ./learn start and undo: creates the learner's files, and moves them out of the way.
+#include "tools/tutor/files.h"
+
 #include "common/util/error.h"
 #include "common/util/file_bytes.h"
 #include "tools/tutor/commands.h"
-#include "tools/tutor/diff.h"
-#include "tools/tutor/record.h"
-#include "tools/tutor/system.h"
 #include "tools/tutor/util.h"
 
 #include <algorithm>
@@ -19,82 +16,6 @@ namespace rt::tutor {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-std::string git_diff(const std::string& first, const std::string& second) {
-    const TemporaryFolder folder;
-    const auto put = [&](const char* name, const std::string& text) {
-        const std::string path = (folder.path / name).string();
-        write_file(path, text.empty() || text.ends_with('\n') ? text : text + "\n");
-        return path;
-    };
-    std::string output;
-    const Words command{
-        "git",       "diff",        "--no-index", "--no-color",        "--no-ext-diff",      "--patch",
-        "--minimal", "--unified=3", "--",         put("first", first), put("second", second)};
-    if (run_process(command, {.output = &output}).code > 1) throw Error("git diff failed; is git installed?");
-    return output;
-}
-
-std::string painted(const char* colour_code, const std::string& line, bool colour) {
-    const std::string text = printable_lines(line);
-    return colour ? std::string("\x1b[") + colour_code + "m" + text + "\x1b[0m\n" : text + "\n";
-}
-
-} // namespace
-
-std::string unified_diff(const NamedText& first, const NamedText& second, bool colour) {
-    std::string out;
-    for (const std::string& line : lines_of(git_diff(first.text, second.text))) {
-        const bool hunk = line.starts_with("@@ ");
-        if (hunk && out.empty())
-            out = painted("1", "--- " + first.name, colour) + painted("1", "+++ " + second.name, colour);
-        if (out.empty()) continue; // git's header
-        if (hunk)
-            out +=
-                painted("36", line.substr(0, line.find(" @@") + 3), colour); // drops the name of the function
-        else
-            out += line.starts_with(' ') ? printable_lines(line) + "\n"
-                                         : painted(line[0] == '-' ? "31" : "32", line, colour);
-    }
-    return out;
-}
-
-namespace {
-
-/// Returns a file without the markers of its exercises and with \n as line ends.
-NamedText plain_text(const fs::path& path) {
-    std::string text = without_markers(read_file(path.string()));
-    std::erase(text, '\r');
-    return {display_path(path), text};
-}
-
-void diff_file(const Project& project, const std::string& step, const std::string& file, bool colour,
-               std::ostream& out) {
-    const fs::path reference = steps_folder(project) / step / file, own = project.workshop / step / file;
-    std::error_code ignored;
-    if (!fs::exists(reference, ignored)) {
-        out << display_path(own) << ": only yours; the reference has no such file\n";
-        return;
-    }
-    const std::string text = unified_diff(plain_text(reference), plain_text(own), colour);
-    out << (text.empty() ? display_path(own) + ": same as the reference\n" : text);
-}
-
-} // namespace
-
-void show_diff(const Project& project, const std::string& step, const std::string& file, bool colour,
-               std::ostream& out) {
-    Words files = own_files(project, step);
-    if (!file.empty() || files.empty()) files = {find_own_file(project, step, file)};
-    for (const std::string& each : files) diff_file(project, step, each, colour, out);
-}
-
-namespace {
-
-using Contents = std::vector<std::pair<std::string, std::string>>; ///< file name, text
-
-/// Returns a file of the reference with all its exercises replaced by gaps.
 std::string stub_of(const Project& project, const std::string& step, const std::string& file,
                     const std::vector<Exercise>& exercises) {
     std::vector<Exercise> here;
@@ -103,7 +24,6 @@ std::string stub_of(const Project& project, const std::string& step, const std::
     return make_stub(read_file((steps_folder(project) / step / file).string()), here);
 }
 
-/// Where the stub is kept that the learner's file began with.
 fs::path base_of(const Project& project, const std::string& step, const std::string& file) {
     return project.workshop / ".base" / step / file;
 }
@@ -113,6 +33,10 @@ void write_base(const Project& project, const std::string& step, const std::stri
     make_folder(project.workshop / ".base" / step);
     write_file(base_of(project, step, file).string(), stub);
 }
+
+namespace {
+
+using Contents = std::vector<std::pair<std::string, std::string>>; ///< file name, text
 
 /// Returns the stubs of the files that the learner does not have yet.
 Contents missing_stubs(const Project& project, const std::string& step,
@@ -146,7 +70,7 @@ void write_compile_flags(const Project& project) {
     const fs::path packages = project.root / "build/release/prove/toolchain.txt";
     std::error_code ignored;
     if (fs::exists(path, ignored)) return;
-    Words flags{"-xc++", "-std=c++20", "-Wno-pragma-once-outside-header"};
+    Words flags{"-xc++", "-std=c++20", "-DGLM_FORCE_EXPLICIT_CTOR", "-Wno-pragma-once-outside-header"};
     for (const fs::path& folder : {project.workshop, steps_folder(project), project.root})
         flags.push_back("-I" + fs::proximate(folder, project.workshop).generic_string());
     if (fs::exists(packages, ignored))
@@ -242,6 +166,8 @@ std::string quoted(const fs::path& path) {
     return word + "'";
 }
 
+} // namespace
+
 void back_up(const Project& project, const std::string& step, const std::string& file, std::ostream& out) {
     const fs::path folder = project.workshop / ".backup" / step;
     make_folder(folder);
@@ -253,80 +179,6 @@ void back_up(const Project& project, const std::string& step, const std::string&
                     failure.message() + ")");
     out << "moved " << display_path(from) << " to " << display_path(to) << "\n"
         << "  to restore it: mv " << quoted(to) << " " << quoted(from) << "\n";
-}
-
-} // namespace
-
-Words edited_references(const Project& project, const std::string& step) {
-    std::string output;
-    const Words command{"git",  "-C", project.root.string(), "status", "--short",
-                        "-uno", "--", "steps/" + step};
-    const bool known = run_process(command, {.log = "/dev/null", .output = &output}).code == 0;
-    Words files;
-    if (!known) return files; // a copy without its history
-    for (const std::string& line : lines_of(output)) files.push_back(line.substr(3));
-    return files;
-}
-
-Words outdated_files(const Project& project, const std::string& step) {
-    const std::vector<Exercise> exercises = exercises_of(project, step);
-    Words files;
-    std::error_code ignored;
-    for (const std::string& file : own_files(project, step)) {
-        const fs::path base = base_of(project, step, file);
-        if (fs::exists(base, ignored) && fs::exists(steps_folder(project) / step / file, ignored) &&
-            code_only(read_file(base.string())) != code_only(stub_of(project, step, file, exercises)))
-            files.push_back(file);
-    }
-    return files;
-}
-
-namespace {
-
-/// Merges what has changed between the two stubs into the learner's text. Where both have changed the same lines, the
-/// learner's stay, and `clashes` is set.
-std::string merged(const std::string& own, const std::string& base, const std::string& stub, bool& clashes) {
-    const TemporaryFolder folder;
-    const auto put = [&](const char* name, const std::string& text) {
-        write_file((folder.path / name).string(), text);
-        return (folder.path / name).string();
-    };
-    const Words files{put("own", own), put("base", base), put("stub", stub)};
-    std::string text;
-    for (const bool keep_own : {false, true}) {
-        Words command{"git", "merge-file", "-p", "-q"};
-        if (keep_own) command.push_back("--ours");
-        append(command, files);
-        text.clear();
-        const int code = run_process(command, {.output = &text}).code;
-        if (code > 127) throw Error("git merge-file failed; is git installed?");
-        clashes = keep_own;
-        if (code == 0) break;
-    }
-    return text;
-}
-
-} // namespace
-
-void merge_step(const Project& project, const std::string& step, std::ostream& out) {
-    const std::vector<Exercise> exercises = exercises_of(project, step);
-    const Words files = outdated_files(project, step);
-    if (files.empty()) out << "the given parts of your files are those of the reference\n";
-    for (const std::string& file : files) {
-        const fs::path own = project.workshop / step / file;
-        const std::string stub = stub_of(project, step, file, exercises);
-        bool clashes = false;
-        const std::string text =
-            merged(read_file(own.string()), read_file(base_of(project, step, file).string()), stub, clashes);
-        back_up(project, step, file, out);
-        write_file(own.string(), text);
-        write_base(project, step, file, stub);
-        out << "merged the reference's changes into " << display_path(own)
-            << (clashes ? "; your lines stay where both have changed: ./learn diff " + number_of(step) + " " +
-                              file
-                        : "")
-            << "\n";
-    }
 }
 
 void undo_files(const Project& project, const std::string& step, const std::string& file, std::ostream& out) {

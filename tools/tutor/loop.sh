@@ -27,7 +27,7 @@ waited() { # sets $checks and $picture, the seconds until their lines are there
     exit 1
 }
 
-"${CMAKE:-cmake}" --build "$build" --target tutor test_main raysteps_accel common >"$build/said_loop.txt" 2>&1 || {
+"${CMAKE:-cmake}" --build "$build" --target tutor test_main models raysteps_accel common >"$build/said_loop.txt" 2>&1 || {
     cat "$build/said_loop.txt" >&2
     exit 1
 }

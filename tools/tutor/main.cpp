@@ -283,7 +283,7 @@ void add_maintenance(CLI::App& app, Arguments& given) {
                 "mistake is named.",
                 [&given](const Words& words) {
                     const Preset preset{given.root};
-                    make(preset, {"prove", "test_main", "raysteps_accel"});
+                    make(preset, {"prove", "test_main", "models", "raysteps_accel"});
                     Words command{preset.program("prove").string(), "--root", given.root, "--build",
                                   preset.folder().string()};
                     wait_for_program(command[0]);

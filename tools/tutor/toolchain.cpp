@@ -56,6 +56,10 @@ std::string step_of(const std::string& source) {
     return fs::path(source).parent_path().filename().string();
 }
 
+bool has_meshes(const std::string& step) {
+    return step >= "05";
+}
+
 /// Warnings that are mistakes in a learner's file. Clang ignores those that it does not know.
 const Words learner_flags{"-Werror=return-type",         "-Werror=uninitialized",
                           "-Werror=maybe-uninitialized", "-Werror=parentheses",
@@ -111,6 +115,7 @@ Outcome build_program(const Toolchain& tools, const Change& change, const BuildP
     Words link = plan.flags[0].starts_with("-fsanitize") ? Words{plan.flags[0]} : Words();
     link.push_back(object.string());
     if (plan.is_check) link.push_back(tools.test_main);
+    if (has_meshes(step_of(plan.source))) append(link, tools.mesh_libraries);
     append(link, tools.libraries);
     append(link, {"-pthread", "-o", (folder / "program").string()});
     return compile(tools, folder, link);
@@ -153,6 +158,11 @@ void precompile(const Toolchain& tools, const std::string& header, const std::st
 
 } // namespace
 
+Words libraries_for(const std::string& step) {
+    if (!has_meshes(step)) return {"test_main", "common"};
+    return {"test_main", "common", "models", "raysteps_accel"};
+}
+
 std::string program_source(const std::string& step) {
     return "steps/" + step + "/main.cpp";
 }
@@ -194,6 +204,7 @@ Toolchain read_toolchain(const fs::path& root, const fs::path& build, const fs::
                     .flags = {},
                     .test_main = {},
                     .libraries = {},
+                    .mesh_libraries = {},
                     .fingerprint = {}};
     const fs::path path = build / "prove" / "toolchain.txt";
     if (!fs::exists(path))
@@ -208,6 +219,7 @@ Toolchain read_toolchain(const fs::path& root, const fs::path& build, const fs::
         if (key == "flag") tools.flags.push_back(value);
         if (key == "test_main") tools.test_main = value;
         if (key == "library") tools.libraries.push_back(value);
+        if (key == "mesh_library") tools.mesh_libraries.push_back(value);
         hash.add(line);
     }
     Words objects = tools.libraries;
@@ -222,8 +234,10 @@ Toolchain read_toolchain(const fs::path& root, const fs::path& build, const fs::
 
 void precompile_headers(const Toolchain& tools, const std::string& step) {
     const BuildLock alone(tools.work);
-    precompile(tools, "tests/pch.h", check_level(step));
-    precompile(tools, "common/pch.h", program_level(tools));
+    in_parallel(2, 2, [&](std::size_t i) {
+        i == 0 ? precompile(tools, "common/pch.h", program_level(tools))
+               : precompile(tools, "tests/pch.h", check_level(step));
+    });
 }
 
 Outcome run_source(const Toolchain& tools, const Change& change, const std::string& source) {

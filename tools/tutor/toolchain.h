@@ -23,6 +23,7 @@ struct Toolchain {
     Words flags;
     std::string test_main;   ///< the object file of doctest's main function
     Words libraries;         ///< the common library and its dependencies
+    Words mesh_libraries;    ///< what the steps from 05 on are linked with, too
     std::string fingerprint; ///< a hash of the fields above
 };
 
@@ -44,6 +45,10 @@ struct Outcome {
     std::string log;       ///< all that the compiler printed
     std::vector<CheckResult> results;
 };
+
+/// Returns the targets of CMake that the checks of a step are linked with. Only the steps from 05 on need the readers of
+/// models and the fast tree.
+Words libraries_for(const std::string& step);
 
 /// Returns "steps/03_mirror/main.cpp".
 std::string program_source(const std::string& step);
