@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <map>
@@ -177,11 +178,12 @@ void try_out(const Toolchain& tools, Trial& trial, bool pictures) {
 }
 
 /// Returns whether two pictures differ by more than rounding.
-bool differ(const fs::path& right, const fs::path& wrong) {
+bool differ(const std::string& step, const fs::path& right, const fs::path& wrong) {
     if (!fs::exists(right) || !fs::exists(wrong)) return true;
-    return !compare::is_same(compare::compare_images({compare::read_encoded(wrong.string()),
-                                                      compare::read_encoded(right.string())})
-                                 .verdict);
+    compare::ComparisonInput input{compare::read_encoded(wrong.string()),
+                                   compare::read_encoded(right.string())};
+    input.step = std::atoi(step.c_str());
+    return !compare::is_same(compare::compare_images(input).verdict);
 }
 
 /// Returns the signature without every third assertion: another learner's version of the mistake
@@ -317,7 +319,7 @@ Count judge(const Toolchain& tools, StepProof& proof, bool write) {
         Trial& trial = proof.trials[i];
         if (const auto own = rivals.find(trial.change.id); own != rivals.end())
             count.taken_for_another += is_taken_for_another(trial, known, own->second);
-        trial.differs = trial.picture && differ(right, picture_path(tools, trial.change));
+        trial.differs = trial.picture && differ(proof.step, right, picture_path(tools, trial.change));
         if (!trial.variants.empty())
             judge_variants(trial, count, proof);
         else if (trial.mistake == nullptr)
