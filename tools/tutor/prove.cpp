@@ -1,5 +1,5 @@
 // prove: shows that the checks work.
-// Every stub must fail, and every mistake must fail in a way that identifies it.
+// Every stub must fail, every mistake must fail in a way that identifies it, and every right variant must pass.
 #include "tools/compare/comparison.h"
 #include "common/util/report_error.h"
 #include "common/util/cores.h"
@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <map>
@@ -40,9 +41,11 @@ struct ProveOptions {
 /// A change to try, and its outcome.
 struct Trial {
     Change change;
-    const Mistake* mistake = nullptr; ///< nullptr for a stub
+    const Mistake* mistake = nullptr;     ///< nullptr if it is none
+    std::vector<const Variant*> variants; ///< right ones of different functions, tried together
     Outcome outcome;
     bool picture = false, differs = false;
+    Words complaints; ///< one for each variant that is not green
 };
 
 /// The numbers of a step for the table and the JSON.
@@ -52,20 +55,26 @@ struct Count {
         pictures = 0;
     int still_first = 0, differing = 0;
     int taken_for_another = 0; ///< named as another mistake if their own signature is not known
+    int variants = 0, green = 0;
 
     void add(const Count& other) {
         stubs += other.stubs, stubs_failing += other.stubs_failing, mistakes += other.mistakes;
         caught += other.caught, named_first += other.named_first, named_in_group += other.named_in_group;
         pictures += other.pictures, still_first += other.still_first, differing += other.differing;
         taken_for_another += other.taken_for_another;
+        variants += other.variants, green += other.green;
     }
-    bool proved() const { return stubs_failing == stubs && caught == mistakes && named_in_group == mistakes; }
+    bool proved() const {
+        return stubs_failing == stubs && caught == mistakes && named_in_group == mistakes &&
+               green == variants;
+    }
 };
 
-/// All trials of a step: the reference, then its stubs, then its mistakes.
+/// All trials of a step: the reference, then its stubs, its mistakes and its right variants.
 struct StepProof {
     std::string step;
     std::vector<Mistake> mistakes;
+    std::vector<Variant> variants;
     std::vector<Trial> trials;
     Words complaints;
 };
@@ -85,16 +94,42 @@ void add_stubs(const fs::path& root, StepProof& proof) {
     proof.trials.push_back({.change = all, .outcome = {}});
 }
 
+/// Returns the reference with these variants applied.
+Change with_variants(const fs::path& root, const std::vector<const Variant*>& variants) {
+    Change change{variants[0]->step, "variant-" + variants[0]->id, {}};
+    for (const Variant* variant : variants) {
+        std::string& header = change.headers[variant->file];
+        if (header.empty()) header = read_file((root / "steps" / variant->file).string());
+        header = with_patch(*variant, header);
+    }
+    return change;
+}
+
+/// Adds the variants, each with those of other functions: the first ones of all functions together, then the second
+/// ones.
+void add_variants(const fs::path& root, StepProof& proof) {
+    std::map<std::string, std::size_t> so_far;
+    std::vector<std::vector<const Variant*>> groups;
+    for (const Variant& variant : proof.variants) {
+        const std::size_t index = so_far[variant.file + function_of(root, variant)]++;
+        if (index == groups.size()) groups.emplace_back();
+        groups[index].push_back(&variant);
+    }
+    for (const auto& group : groups)
+        proof.trials.push_back({.change = with_variants(root, group), .variants = group, .outcome = {}});
+}
+
 StepProof plan(const fs::path& root, const std::string& step) {
-    StepProof proof{step, read_catalogue(root, step), {}, {}};
+    StepProof proof{step, read_catalogue(root, step), read_variants(root, step), {}, {}};
     proof.trials.push_back({.change = {step, "reference", {}}, .outcome = {}});
     add_stubs(root, proof);
-    for (const Mistake& mistake : proof.mistakes) {
-        const std::string header = read_file((root / "steps" / mistake.file).string());
-        proof.trials.push_back({.change = {step, mistake.id, {{mistake.file, with_mistake(mistake, header)}}},
-                                .mistake = &mistake,
-                                .outcome = {}});
-    }
+    const auto change = [&](const Patch& patch) {
+        const std::string header = read_file((root / "steps" / patch.file).string());
+        return Change{step, patch.id, {{patch.file, with_patch(patch, header)}}};
+    };
+    for (const Mistake& mistake : proof.mistakes)
+        proof.trials.push_back({.change = change(mistake), .mistake = &mistake, .outcome = {}});
+    add_variants(root, proof);
     return proof;
 }
 
@@ -106,7 +141,36 @@ fs::path picture_path(const Toolchain& tools, const Change& change) {
     return tools.work / "pictures" / change.step / (change.id + ".png");
 }
 
+/// Returns what is red with the change, which should be right; empty if nothing is.
+std::string complaint_about(const Toolchain& tools, const Change& change, bool pictures) {
+    const Outcome outcome = run_checks(tools, change);
+    if (!outcome.compiled) return "does not compile: " + outcome.complaint;
+    if (outcome.timed_out) return "does not finish";
+    for (const CheckResult& result : outcome.results) {
+        if (!has_failed(result)) continue;
+        if (result.failures.empty()) return "fails: " + result.name;
+        const Failure& failure = result.failures.back();
+        return "fails: " + result.name + ": " +
+               (failure.notes.empty() ? failure.values : failure.notes.back());
+    }
+    if (!pictures) return "";
+    const std::string complaint =
+        picture_complaint(tools, change, tools.work / "variants" / change.step / change.id);
+    return complaint.empty() ? "" : "has another picture: " + complaint;
+}
+
+/// Tries the variants together. Only if they are red, each alone, to say which one it is.
+void try_variants(const Toolchain& tools, Trial& trial, bool pictures) {
+    if (complaint_about(tools, trial.change, pictures).empty()) return;
+    for (const Variant* variant : trial.variants)
+        if (const std::string complaint =
+                complaint_about(tools, with_variants(tools.root, {variant}), pictures);
+            !complaint.empty())
+            trial.complaints.push_back("the right variant " + variant->id + " " + complaint);
+}
+
 void try_out(const Toolchain& tools, Trial& trial, bool pictures) {
+    if (!trial.variants.empty()) return try_variants(tools, trial, pictures);
     trial.outcome = run_checks(tools, trial.change);
     const bool stub = trial.mistake == nullptr && !trial.change.headers.empty();
     if (pictures && !stub && trial.outcome.compiled)
@@ -114,11 +178,12 @@ void try_out(const Toolchain& tools, Trial& trial, bool pictures) {
 }
 
 /// Returns whether two pictures differ by more than rounding.
-bool differ(const fs::path& right, const fs::path& wrong) {
+bool differ(const std::string& step, const fs::path& right, const fs::path& wrong) {
     if (!fs::exists(right) || !fs::exists(wrong)) return true;
-    return !compare::is_same(compare::compare_images({compare::read_encoded(wrong.string()),
-                                                      compare::read_encoded(right.string())})
-                                 .verdict);
+    compare::ComparisonInput input{compare::read_encoded(wrong.string()),
+                                   compare::read_encoded(right.string())};
+    input.step = std::atoi(step.c_str());
+    return !compare::is_same(compare::compare_images(input).verdict);
 }
 
 /// Returns the signature without every third assertion: another learner's version of the mistake
@@ -216,6 +281,12 @@ void judge_mistake(const Trial& trial, const std::vector<Signature>& known, Coun
     }
 }
 
+void judge_variants(const Trial& trial, Count& count, StepProof& proof) {
+    count.variants += int(trial.variants.size());
+    count.green += int(trial.variants.size() - trial.complaints.size());
+    proof.complaints.insert(proof.complaints.end(), trial.complaints.begin(), trial.complaints.end());
+}
+
 /// Writes the pictures of the gallery: the correct one, and one for each mistake that changes the picture.
 void write_gallery(const Toolchain& tools, const StepProof& proof) {
     const fs::path right = gallery_picture(tools.root, proof.step, "right");
@@ -248,8 +319,10 @@ Count judge(const Toolchain& tools, StepProof& proof, bool write) {
         Trial& trial = proof.trials[i];
         if (const auto own = rivals.find(trial.change.id); own != rivals.end())
             count.taken_for_another += is_taken_for_another(trial, known, own->second);
-        trial.differs = trial.picture && differ(right, picture_path(tools, trial.change));
-        if (trial.mistake == nullptr)
+        trial.differs = trial.picture && differ(proof.step, right, picture_path(tools, trial.change));
+        if (!trial.variants.empty())
+            judge_variants(trial, count, proof);
+        else if (trial.mistake == nullptr)
             judge_stub(trial, count, proof);
         else
             judge_mistake(trial, known, count, proof);
@@ -266,7 +339,9 @@ Json json(const Count& count) {
             {"caught", count.caught},
             {"named_first", count.named_first},
             {"named_in_group", count.named_in_group},
-            {"pictures", count.pictures}};
+            {"pictures", count.pictures},
+            {"variants", count.variants},
+            {"variants_green", count.green}};
 }
 
 std::string json(const std::vector<Count>& counts, const Count& total) {
@@ -282,7 +357,8 @@ void print_row(const Count& count) {
               << cell(part(count.caught, count.mistakes), 10) << cell(number(count.named_first), 13)
               << cell(number(count.named_in_group), 10) << cell(number(count.still_first), 13)
               << cell(number(count.taken_for_another), 12)
-              << cell(count.pictures > 0 ? part(count.differing, count.pictures) : "-", 12) << "\n";
+              << cell(count.pictures > 0 ? part(count.differing, count.pictures) : "-", 15)
+              << cell(part(count.green, count.variants), 16) << "\n";
 }
 
 fs::path record_path(const Toolchain& tools) {
@@ -292,11 +368,11 @@ fs::path record_path(const Toolchain& tools) {
 void note_key(const Toolchain& tools, const std::string& step) {
     Record record = read_record(record_path(tools));
     record[step] = proof_key(tools, step);
-    write_record(
-        record_path(tools),
-        "# For each step whose proof succeeded, a hash of its checks, their includes and its mistakes.\n"
-        "# Written by ./learn prove --write, read by ./learn prove --changed.\n",
-        record);
+    write_record(record_path(tools),
+                 "# For each step whose proof succeeded, a hash of its checks, their includes, its mistakes "
+                 "and variants.\n"
+                 "# Written by ./learn prove --write, read by ./learn prove --changed.\n",
+                 record);
 }
 
 std::vector<StepProof> plan_all(const Toolchain& tools, const ProveOptions& options) {
@@ -338,7 +414,7 @@ bool prove(const ProveOptions& options) {
             std::cout << proof.step << ": " << complaint << "\n";
     }
     std::cout << "step           stubs fail    caught  named alone  in group   1/3 dropped   left out  wrong "
-                 "picture\n";
+                 "picture  variants green\n";
     for (const Count& count : counts) print_row(count);
     print_row(total);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
@@ -354,8 +430,8 @@ bool prove(const ProveOptions& options) {
 int main(int argc, char** argv) {
     rt::tutor::ProveOptions options;
     CLI::App app(
-        "Proves that the checks work: every stub fails, and every mistake of the catalogue is caught "
-        "and named.\n"
+        "Proves that the checks work: every stub fails, every mistake of the catalogue is caught and "
+        "named, and every right variant passes.\n"
         "Exit code: 0 proved, 1 not proved, 2 an error.",
         "prove");
     app.set_version_flag("--version", rt::version());
