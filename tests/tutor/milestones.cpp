@@ -69,4 +69,6 @@ TEST_CASE("a milestone is reached when its functions and all before are written"
     CHECK(milestones_reached(milestones, {"half"}) == 0);
     CHECK(milestones_reached(milestones, {"sign"}) == 1);
     CHECK(milestones_reached(milestones, {"half", "sign"}) == 2);
+    CHECK(milestone_text(milestones, {"half", "sign"}) == "2 of 2: it has halves");
+    CHECK(milestone_text(milestones, {"half"}).empty());
 }

@@ -6,6 +6,7 @@
 #include "common/util/file_bytes.h"
 #include "tools/tutor/check_report.h"
 #include "tools/tutor/hints.h"
+#include "tools/tutor/milestones.h"
 #include "tools/tutor/screen.h"
 #include "tools/tutor/system.h"
 #include "tools/tutor/util.h"
@@ -324,6 +325,9 @@ void print_functions(const Session& session) {
     if (!done.empty())
         session.screen.line(unclear ? "yours" : "done", joined(done, ", "),
                             unclear ? Colour::none : Colour::green);
+    const std::vector<Milestone> milestones = read_milestones(session.project.root, session.step());
+    if (const std::string text = milestone_text(milestones, done); !unclear && !text.empty())
+        session.screen.line("milestone", text, Colour::green);
     if (!red.empty()) session.screen.line("wrong", joined(red, ", "), Colour::red);
     const Words unwritten = names_in(findings, GapState::unwritten);
     if (!unwritten.empty()) session.screen.line("to write", joined(unwritten, ", "), Colour::grey);

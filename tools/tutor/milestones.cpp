@@ -110,6 +110,13 @@ std::size_t milestones_reached(const std::vector<Milestone>& milestones, const W
     return std::size_t(std::ranges::find_if_not(milestones, complete) - milestones.begin());
 }
 
+std::string milestone_text(const std::vector<Milestone>& milestones, const Words& written) {
+    const std::size_t reached = milestones_reached(milestones, written);
+    if (reached == 0) return "";
+    return std::to_string(reached) + " of " + std::to_string(milestones.size()) + ": " +
+           milestones[reached - 1].title;
+}
+
 fs::path milestone_picture(const std::string& step, const std::string& id) {
     return fs::path("exercises") / step / "milestones" / (id + ".png");
 }

@@ -34,6 +34,9 @@ void sort_by_milestones(const std::filesystem::path& root, const std::string& st
 /// Returns how many milestones are complete: all functions of these and of those before are in `written`.
 std::size_t milestones_reached(const std::vector<Milestone>& milestones, const Words& written);
 
+/// Returns "2 of 6: rays hit the balls" for these written functions; empty if no milestone is complete.
+std::string milestone_text(const std::vector<Milestone>& milestones, const Words& written);
+
 /// Returns "exercises/03_mirror/milestones/mirrors.png", below the project's folder.
 std::filesystem::path milestone_picture(const std::string& step, const std::string& id);
 

@@ -5,6 +5,7 @@
 #include "common/util/file_bytes.h"
 #include "tools/tutor/catalogue.h"
 #include "tools/tutor/check_parts.h"
+#include "tools/tutor/milestones.h"
 #include "tools/tutor/record.h"
 #include "tools/tutor/system.h"
 #include "tools/tutor/util.h"
@@ -26,6 +27,8 @@ std::string proof_key(const Toolchain& tools, const std::string& step) {
     };
     std::ranges::for_each(read_catalogue(tools.root, step), add);
     std::ranges::for_each(read_variants(tools.root, step), add);
+    for (const Milestone& milestone : read_milestones(tools.root, step))
+        hash.add(joined(milestone.functions, " ") + joined(milestone.options, " "));
     return hash.text();
 }
 

@@ -9,7 +9,7 @@
 namespace rt::tutor {
 
 /// Returns a hash of everything that the proof of a step depends on: its checks, their includes,
-/// its mistakes and its right variants.
+/// its mistakes, its right variants and its milestones.
 std::string proof_key(const Toolchain& tools, const std::string& step);
 
 /// Returns the outcome of the first file of the step's checks in which something fails, or of all files. The

@@ -1,5 +1,6 @@
 // prove: shows that the checks work.
-// Every stub must fail, every mistake must fail in a way that identifies it, and every right variant must pass.
+// Every stub must fail, every mistake must fail in a way that identifies it, every right variant must pass, and every
+// milestone must change the picture.
 #include "tools/compare/comparison.h"
 #include "common/util/report_error.h"
 #include "common/util/cores.h"
@@ -10,7 +11,9 @@
 #include "tools/tutor/catalogue.h"
 #include "tools/tutor/exercises.h"
 #include "tools/tutor/util.h"
+#include "tools/tutor/milestones.h"
 #include "tools/tutor/proof.h"
+#include "tools/tutor/prove_milestones.h"
 #include "tools/tutor/record.h"
 #include "tools/tutor/workshop.h"
 
@@ -56,6 +59,7 @@ struct Count {
     int still_first = 0, differing = 0;
     int taken_for_another = 0; ///< named as another mistake if their own signature is not known
     int variants = 0, green = 0;
+    int milestones = 0, reached = 0;
 
     void add(const Count& other) {
         stubs += other.stubs, stubs_failing += other.stubs_failing, mistakes += other.mistakes;
@@ -63,10 +67,11 @@ struct Count {
         pictures += other.pictures, still_first += other.still_first, differing += other.differing;
         taken_for_another += other.taken_for_another;
         variants += other.variants, green += other.green;
+        milestones += other.milestones, reached += other.reached;
     }
     bool proved() const {
         return stubs_failing == stubs && caught == mistakes && named_in_group == mistakes &&
-               green == variants;
+               green == variants && reached == milestones;
     }
 };
 
@@ -76,6 +81,7 @@ struct StepProof {
     std::vector<Mistake> mistakes;
     std::vector<Variant> variants;
     std::vector<Trial> trials;
+    Words milestones; ///< one complaint for each milestone that is not true
     Words complaints;
 };
 
@@ -327,6 +333,9 @@ Count judge(const Toolchain& tools, StepProof& proof, bool write) {
         else
             judge_mistake(trial, known, count, proof);
     }
+    count.milestones = int(read_milestones(tools.root, proof.step).size());
+    count.reached = count.milestones - int(proof.milestones.size());
+    append(proof.complaints, proof.milestones);
     if (write && proof.trials[0].picture) write_gallery(tools, proof);
     return count;
 }
@@ -341,7 +350,9 @@ Json json(const Count& count) {
             {"named_in_group", count.named_in_group},
             {"pictures", count.pictures},
             {"variants", count.variants},
-            {"variants_green", count.green}};
+            {"variants_green", count.green},
+            {"milestones", count.milestones},
+            {"milestones_reached", count.reached}};
 }
 
 std::string json(const std::vector<Count>& counts, const Count& total) {
@@ -358,7 +369,8 @@ void print_row(const Count& count) {
               << cell(number(count.named_in_group), 10) << cell(number(count.still_first), 13)
               << cell(number(count.taken_for_another), 12)
               << cell(count.pictures > 0 ? part(count.differing, count.pictures) : "-", 15)
-              << cell(part(count.green, count.variants), 16) << "\n";
+              << cell(part(count.green, count.variants), 16)
+              << cell(part(count.reached, count.milestones), 12) << "\n";
 }
 
 fs::path record_path(const Toolchain& tools) {
@@ -394,6 +406,10 @@ void try_all(const Toolchain& tools, std::vector<StepProof>& proofs, const Prove
         for (Trial& trial : proof.trials) trials.push_back(&trial);
     in_parallel(trials.size(), options.jobs > 0 ? options.jobs : usable_cores(),
                 [&](std::size_t i) { try_out(tools, *trials[i], !options.no_pictures); });
+    if (options.no_pictures) return;
+    in_parallel(proofs.size(), usable_cores(), [&](std::size_t i) {
+        proofs[i].milestones = prove_milestones(tools, proofs[i].step, options.write);
+    });
 }
 
 bool prove(const ProveOptions& options) {
@@ -414,7 +430,7 @@ bool prove(const ProveOptions& options) {
             std::cout << proof.step << ": " << complaint << "\n";
     }
     std::cout << "step           stubs fail    caught  named alone  in group   1/3 dropped   left out  wrong "
-                 "picture  variants green\n";
+                 "picture  variants green  milestones\n";
     for (const Count& count : counts) print_row(count);
     print_row(total);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;

@@ -2,6 +2,7 @@
 #include "tools/tutor/commands.h"
 
 #include "common/util/file_bytes.h"
+#include "tools/tutor/milestones.h"
 
 #include <algorithm>
 #include <iomanip>
@@ -12,10 +13,12 @@ namespace {
 
 struct StepStatus {
     std::string step;
-    int begun = 0;        ///< exercises in the learner's files that are no longer as in the stub
-    int exercises = 0;    ///< all exercises in the learner's files
-    int in_step = 0;      ///< exercises in all files of the step
-    std::string to_write; ///< the place of the first unwritten exercise; empty if there is none
+    int begun = 0;         ///< exercises in the learner's files that are no longer as in the stub
+    int exercises = 0;     ///< all exercises in the learner's files
+    int in_step = 0;       ///< exercises in all files of the step
+    Words written;         ///< the names of those that are begun
+    std::string milestone; ///< "2 of 6: rays hit the balls"; empty if none is reached
+    std::string to_write;  ///< the place of the first unwritten exercise; empty if there is none
     bool has_files = false;
     bool checked = false;
     bool changed = false; ///< the files have changed since the last check
@@ -36,7 +39,7 @@ void count_exercises(const Project& project, StepStatus& status) {
         const std::string reference =
             read_file((steps_folder(project) / status.step / exercise.file).string());
         if (!is_untouched(exercise, text, make_stub(reference, find_exercises(reference, path.string()))))
-            ++status.begun;
+            ++status.begun, status.written.push_back(exercise.name);
         else if (status.to_write.empty())
             status.to_write = exercise.name + " in " + display_path(path, line_of(exercise, text));
     }
@@ -48,6 +51,7 @@ std::vector<StepStatus> all_statuses(const Project& project) {
     for (const std::string& step : all_steps(project)) {
         StepStatus status{.step = step};
         count_exercises(project, status);
+        status.milestone = milestone_text(read_milestones(project.root, step), status.written);
         if (const auto check = checks.find(step); check != checks.end()) {
             status.checked = true;
             status.check = check->second;
@@ -70,6 +74,7 @@ std::string status_text(const StepStatus& s) {
     if (!s.has_files) return "not started";
     std::string text = std::to_string(s.begun) + " of " + std::to_string(s.exercises) + " functions started";
     if (s.exercises == 0) text = "started";
+    if (!s.milestone.empty()) text += ", milestone " + s.milestone;
     if (s.exercises < s.in_step)
         text += ", " + std::to_string(s.in_step - s.exercises) + " more from the reference";
     if (!s.checked) return text + "; not checked yet";
