@@ -616,10 +616,10 @@ Toolchain ready_toolchain(const Project& project, const CheckOptions& options, S
     const Preset preset{project.root, options.build.filename().string()};
     std::error_code ignored;
     const fs::path work = options.build / "check";
-    const Words libraries = libraries_for(options.step);
-    if (!fs::exists(work, ignored) || !fs::exists(options.build / ("lib" + libraries.back() + ".a"), ignored))
+    const Words targets = targets_for(options.step);
+    if (!fs::exists(work, ignored) || !fs::exists(options.build / ("lib" + targets.back() + ".a"), ignored))
         screen.line("once", "building what the checks need: libraries and precompiled headers", Colour::grey);
-    if (options.build == preset.folder()) make(preset, libraries, true);
+    if (options.build == preset.folder()) make(preset, targets, true);
     make_folder(work);
     const Toolchain tools = read_toolchain(project.root, options.build, work, Strictness::learner);
     precompile_headers(tools, options.step);

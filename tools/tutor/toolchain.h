@@ -46,9 +46,9 @@ struct Outcome {
     std::vector<CheckResult> results;
 };
 
-/// Returns the targets of CMake that the checks of a step are linked with. Only the steps from 05 on need the readers of
-/// models and the fast tree.
-Words libraries_for(const std::string& step);
+/// Returns the targets of CMake that the checks and the program of a step need; a library is the last. Only the steps from
+/// 05 on need the fast tree, the built meshes and the readers of models.
+Words targets_for(const std::string& step);
 
 /// Returns "steps/03_mirror/main.cpp".
 std::string program_source(const std::string& step);
