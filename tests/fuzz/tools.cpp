@@ -58,7 +58,7 @@ void run_catalogue(std::string_view bytes) {
     const std::string header(bytes.substr(std::min(mark + 4, bytes.size())));
     std::vector<Mistake> mistakes;
     refusal([&] { mistakes = parse_catalogue(text, "exercises/03_mirror/mistakes.md"); });
-    for (const Mistake& mistake : mistakes) refusal([&] { with_mistake(mistake, header); });
+    for (const Mistake& mistake : mistakes) refusal([&] { with_patch(mistake, header); });
 }
 
 /// The first letter selects the parser; the lines after the first are its input.

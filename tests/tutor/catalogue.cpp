@@ -43,7 +43,7 @@ std::string complaint(const std::string& part, const std::string& instead) {
     text.replace(text.find(part), part.size(), instead);
     try {
         for (const Mistake& mistake : parse_catalogue(text, "exercises/01_one/mistakes.md"))
-            with_mistake(mistake, header);
+            with_patch(mistake, header);
     } catch (const Error& error) {
         return error.what();
     }
@@ -64,17 +64,29 @@ TEST_CASE("a mistake is read with all of its fields") {
     CHECK(mistakes[0].place == "exercises/01_one/mistakes.md:3");
 }
 
+TEST_CASE("a right variant is read with its form") {
+    const std::string text =
+        "# Right variants of step 01: numbers\n## times-half: a product\n```diff\n"
+        "01_one/half.h\n-    return y / 2;\n+    return .5f * y;\n```\n* Form: a book.\n";
+    const auto variants = parse_variants(text, "exercises/01_one/variants.md");
+    REQUIRE(variants.size() == 1);
+    CHECK(variants[0].id == "times-half");
+    CHECK(variants[0].form == "a book.");
+    CHECK(with_patch(variants[0], header).find("return .5f * y;") != std::string::npos);
+    CHECK_THROWS_AS(parse_catalogue(text, "exercises/01_one/mistakes.md"), Error);
+}
+
 TEST_CASE("a mistake changes its lines and nothing else") {
     std::string expected = header;
     expected.replace(expected.find("return y / 2;"), 13, "return y;");
-    CHECK(with_mistake(parse_catalogue(good, "exercises/01_one/mistakes.md")[0], header) == expected);
+    CHECK(with_patch(parse_catalogue(good, "exercises/01_one/mistakes.md")[0], header) == expected);
 }
 
 TEST_CASE("an error in the catalogue is one line with file and line number") {
     CHECK(complaint("# Mistakes of step 01", "# Mistakes of step 02")
               .starts_with("exercises/01_one/mistakes.md:1: "));
     CHECK(complaint("not-halved: ", "not-halved ")
-              .starts_with("exercises/01_one/mistakes.md:3: a mistake must begin with"));
+              .starts_with("exercises/01_one/mistakes.md:3: an entry must begin with"));
     CHECK(complaint("not-halved", "Not halved")
               .starts_with("exercises/01_one/mistakes.md:3: the id 'Not halved'"));
     CHECK(complaint("```diff", "```").starts_with("exercises/01_one/mistakes.md:4: "));
@@ -84,7 +96,7 @@ TEST_CASE("an error in the catalogue is one line with file and line number") {
     CHECK(complaint("* Why: a half is half.\n", "")
               .starts_with("exercises/01_one/mistakes.md:12: expected '* Why: ...'"));
     CHECK(complaint("divide by 2.\n", "divide by 2.\n\n" + good.substr(good.find("##")))
-              .find("there are two mistakes not-halved") != std::string::npos);
+              .find("there are two entries not-halved") != std::string::npos);
 }
 
 TEST_CASE("a change that applies nowhere or in two places is an error") {
@@ -96,12 +108,13 @@ TEST_CASE("a change that applies nowhere or in two places is an error") {
               .find("occur twice in 01_one/half.h, at lines 3 and 7") != std::string::npos);
 }
 
-TEST_CASE("every mistake of the project applies to the reference") {
+TEST_CASE("every mistake and right variant of the project applies to the reference") {
     int count = 0;
     for (const char* step : {"01_spheres", "02_shadows", "03_mirror", "04_refraction", "05_mesh_bvh",
                              "06_textures", "07_antialias", "08_indirect"}) {
         const auto mistakes = read_catalogue(RT_ROOT, step);
         CHECK_MESSAGE(mistakes.size() >= 14, std::string(step), " has too few mistakes");
+        read_variants(RT_ROOT, step); // throws if one does not apply
         count += int(mistakes.size());
     }
     CHECK(count >= 120);

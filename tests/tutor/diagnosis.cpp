@@ -172,15 +172,12 @@ TEST_CASE("a signature that lacks a check is named as likely") {
 
 TEST_CASE(
     "a diagnosis is explained by the mistake, its cause and its fix, or else by the first failing check") {
-    const std::vector<Mistake> catalogue{{.step = "01_one",
-                                          .id = "far",
-                                          .title = "the far root",
-                                          .file = {},
-                                          .patch = {},
-                                          .shows = {},
-                                          .why = "it is farther",
-                                          .fix = "take the near one",
-                                          .place = {}}};
+    Mistake far;
+    far.id = "far";
+    far.title = "the far root";
+    far.why = "it is farther";
+    far.fix = "take the near one";
+    const std::vector<Mistake> catalogue{far};
     const std::vector<Signature> all{known("far", {"a"}, "6 == 4")};
     const std::string named = explanation(diagnose(all, {seen({"a"}, "6 == 4")}), catalogue);
     for (const char* part : {"the far root (certain)", "Why: it is farther", "Fix: take the near one"})

@@ -1,4 +1,4 @@
-// Reads and validates the catalogue of mistakes, applies mistakes to headers, and finds their pictures.
+// Reads and validates the catalogues, applies their changes to headers, and finds the pictures of mistakes.
 #include "common/util/error.h"
 #include "common/util/file_bytes.h"
 #include "tools/tutor/catalogue.h"
@@ -35,17 +35,17 @@ class Reader {
 };
 
 /// `## id: title`
-void read_heading(Reader& reader, Mistake& mistake) {
+void read_heading(Reader& reader, Patch& patch) {
     const std::string heading = reader.line().substr(3);
     const std::size_t colon = heading.find(": ");
-    if (colon == std::string::npos) reader.complain("a mistake must begin with '## id: title'");
-    mistake.id = heading.substr(0, colon);
-    mistake.title = trimmed(heading.substr(colon + 2));
+    if (colon == std::string::npos) reader.complain("an entry must begin with '## id: title'");
+    patch.id = heading.substr(0, colon);
+    patch.title = trimmed(heading.substr(colon + 2));
     const auto allowed = [](unsigned char c) { return std::islower(c) || std::isdigit(c) || c == '-'; };
-    if (mistake.id.empty() || !std::ranges::all_of(mistake.id, allowed))
-        reader.complain("the id '" + mistake.id + "' must consist of lower-case letters, digits and dashes");
-    if (mistake.title.empty()) reader.complain("the title after the id is missing");
-    mistake.place = reader.place();
+    if (patch.id.empty() || !std::ranges::all_of(patch.id, allowed))
+        reader.complain("the id '" + patch.id + "' must consist of lower-case letters, digits and dashes");
+    if (patch.title.empty()) reader.complain("the title after the id is missing");
+    patch.place = reader.place();
     reader.advance();
 }
 
@@ -54,27 +54,27 @@ void skip_blank_lines(Reader& reader) {
 }
 
 /// Reads from ```diff to ```: the name of the file, then the lines of the change.
-void read_patch(Reader& reader, Mistake& mistake) {
+void read_patch(Reader& reader, Patch& patch) {
     skip_blank_lines(reader);
     if (reader.at_end() || reader.line() != "```diff") reader.complain("expected ```diff here");
     reader.advance();
-    if (!reader.at_end()) mistake.file = reader.line();
-    const std::size_t slash = mistake.file.find('/');
-    if (slash == std::string::npos || !mistake.file.ends_with(".h"))
+    if (!reader.at_end()) patch.file = reader.line();
+    const std::size_t slash = patch.file.find('/');
+    if (slash == std::string::npos || !patch.file.ends_with(".h"))
         reader.complain("a diff must begin with the header that it changes, such as 03_mirror/mirror.h");
-    if (mistake.file.substr(0, slash) > mistake.step)
-        reader.complain(mistake.file + " belongs to a later step than " + mistake.step);
+    if (patch.file.substr(0, slash) > patch.step)
+        reader.complain(patch.file + " belongs to a later step than " + patch.step);
     reader.advance();
     for (; !reader.at_end() && reader.line() != "```"; reader.advance()) {
         const std::string& line = reader.line();
         const char kind = line.empty() ? ' ' : line[0];
         if (kind != ' ' && kind != '-' && kind != '+')
             reader.complain("a line of a diff must begin with '-', '+' or a space");
-        mistake.patch.push_back({kind, line.empty() ? "" : line.substr(1)});
+        patch.lines.push_back({kind, line.empty() ? "" : line.substr(1)});
     }
     if (reader.at_end()) reader.complain("the diff has no end: ``` is missing");
     const auto changes = [](const PatchLine& line) { return line.kind != ' '; };
-    if (std::ranges::none_of(mistake.patch, changes)) reader.complain("the diff changes nothing");
+    if (std::ranges::none_of(patch.lines, changes)) reader.complain("the diff changes nothing");
     reader.advance();
 }
 
@@ -91,16 +91,57 @@ std::string read_field(Reader& reader, const std::string& name) {
     return text;
 }
 
-Mistake read_mistake(Reader& reader, const std::string& step) {
-    Mistake mistake;
-    mistake.step = step;
-    read_heading(reader, mistake);
-    read_patch(reader, mistake);
+void read_mistake(Reader& reader, Mistake& mistake) {
     mistake.shows = read_field(reader, "Shows");
     mistake.why = read_field(reader, "Why");
     mistake.fix = read_field(reader, "Fix");
-    skip_blank_lines(reader);
-    return mistake;
+}
+
+void read_variant(Reader& reader, Variant& variant) {
+    variant.form = read_field(reader, "Form");
+}
+
+/// Parses one file; `title` is the begin of its first line, and `read_fields` reads what follows an entry's diff.
+template <class Entry>
+std::vector<Entry> parse_entries(const std::string& text, const std::string& path, const std::string& title,
+                                 void (*read_fields)(Reader&, Entry&)) {
+    Reader reader(text, path);
+    const std::string step = fs::path(path).parent_path().filename().string();
+    const std::string first = "# " + title + " of step " + step.substr(0, 2) + ": ";
+    if (reader.at_end() || !reader.line().starts_with(first))
+        reader.complain("the first line must be '" + first + "...'");
+    reader.advance();
+    while (!reader.at_end() && !reader.line().starts_with("## ")) reader.advance(); // the introduction
+    std::vector<Entry> entries;
+    std::set<std::string> ids;
+    while (!reader.at_end()) {
+        if (!reader.line().starts_with("## ")) reader.complain("expected '## id: title' here");
+        Entry& entry = entries.emplace_back();
+        entry.step = step;
+        read_heading(reader, entry);
+        read_patch(reader, entry);
+        read_fields(reader, entry);
+        skip_blank_lines(reader);
+        if (!ids.insert(entry.id).second) throw Error(entry.place + ": there are two entries " + entry.id);
+    }
+    return entries;
+}
+
+/// Reads `root`/exercises/NN_name/`file`, if it is there, and checks that each entry changes the reference differently.
+template <class Entry>
+std::vector<Entry> read_entries(const fs::path& root, const std::string& step, const std::string& file,
+                                std::vector<Entry> (*parse)(const std::string&, const std::string&)) {
+    const std::string path = "exercises/" + step + "/" + file;
+    std::error_code ignored;
+    if (!fs::exists(root / path, ignored)) return {};
+    std::vector<Entry> entries = parse(read_file((root / path).string()), path);
+    std::set<std::string> results;
+    for (const Entry& entry : entries) {
+        const std::string text = with_patch(entry, read_file((root / "steps" / entry.file).string()));
+        if (!results.insert(text).second)
+            throw Error(entry.place + ": " + entry.id + " makes the same change as an earlier entry");
+    }
+    return entries;
 }
 
 /// Returns whether the `wanted` lines occur at `lines[begin]`, ignoring leading and trailing whitespace.
@@ -112,18 +153,18 @@ bool stands_at(const Words& wanted, const Words& lines, std::size_t begin) {
 }
 
 /// Returns the index of the first of the `wanted` lines. Throws Error if they occur nowhere or twice.
-std::size_t find_place(const Mistake& mistake, const Words& lines, const Words& wanted) {
+std::size_t find_place(const Patch& patch, const Words& lines, const Words& wanted) {
     std::size_t found = lines.size();
     for (std::size_t begin = 0; begin < lines.size(); ++begin) {
         if (!stands_at(wanted, lines, begin)) continue;
-        const std::string where = mistake.place + ": the lines that " + mistake.id + " replaces occur ";
+        const std::string where = patch.place + ": the lines that " + patch.id + " replaces occur ";
         if (found < lines.size())
-            throw Error(where + "twice in " + mistake.file + ", at lines " + std::to_string(found + 1) +
+            throw Error(where + "twice in " + patch.file + ", at lines " + std::to_string(found + 1) +
                         " and " + std::to_string(begin + 1) + ": add a line of context");
         found = begin;
     }
     if (found == lines.size() || wanted.empty())
-        throw Error(mistake.place + ": the change of " + mistake.id + " does not apply to " + mistake.file +
+        throw Error(patch.place + ": the change of " + patch.id + " does not apply to " + patch.file +
                     ": its lines with '-' and ' ' do not occur there in sequence");
     return found;
 }
@@ -131,34 +172,23 @@ std::size_t find_place(const Mistake& mistake, const Words& lines, const Words& 
 } // namespace
 
 std::vector<Mistake> parse_catalogue(const std::string& text, const std::string& path) {
-    Reader reader(text, path);
-    const std::string step = fs::path(path).parent_path().filename().string();
-    const std::string title = "# Mistakes of step " + step.substr(0, 2) + ": ";
-    if (reader.at_end() || !reader.line().starts_with(title))
-        reader.complain("the first line must be '" + title + "...'");
-    reader.advance();
-    while (!reader.at_end() && !reader.line().starts_with("## ")) reader.advance(); // the introduction
-    std::vector<Mistake> mistakes;
-    std::set<std::string> ids;
-    while (!reader.at_end()) {
-        if (!reader.line().starts_with("## ")) reader.complain("expected '## id: title' here");
-        mistakes.push_back(read_mistake(reader, step));
-        const Mistake& last = mistakes.back();
-        if (!ids.insert(last.id).second) throw Error(last.place + ": there are two mistakes " + last.id);
-    }
-    return mistakes;
+    return parse_entries<Mistake>(text, path, "Mistakes", read_mistake);
 }
 
-std::string with_mistake(const Mistake& mistake, const std::string& header) {
+std::vector<Variant> parse_variants(const std::string& text, const std::string& path) {
+    return parse_entries<Variant>(text, path, "Right variants", read_variant);
+}
+
+std::string with_patch(const Patch& patch, const std::string& header) {
     const Words lines = lines_of(header);
     Words wanted;
-    for (const PatchLine& line : mistake.patch)
+    for (const PatchLine& line : patch.lines)
         if (line.kind != '+') wanted.push_back(trimmed(line.text));
-    const std::size_t place = find_place(mistake, lines, wanted);
+    const std::size_t place = find_place(patch, lines, wanted);
     std::string out;
     for (std::size_t i = 0; i < place; ++i) out += lines[i] + "\n";
     std::size_t old = place;
-    for (const PatchLine& line : mistake.patch) {
+    for (const PatchLine& line : patch.lines) {
         if (line.kind == '+') out += line.text + "\n";
         if (line.kind == ' ') out += lines[old] + "\n";
         if (line.kind != '+') ++old;
@@ -168,17 +198,11 @@ std::string with_mistake(const Mistake& mistake, const std::string& header) {
 }
 
 std::vector<Mistake> read_catalogue(const fs::path& root, const std::string& step) {
-    const fs::path path = root / "exercises" / step / "mistakes.md";
-    std::error_code ignored;
-    if (!fs::exists(path, ignored)) return {};
-    auto mistakes = parse_catalogue(read_file(path.string()), "exercises/" + step + "/mistakes.md");
-    std::set<std::string> results;
-    for (const Mistake& mistake : mistakes) {
-        const std::string text = with_mistake(mistake, read_file((root / "steps" / mistake.file).string()));
-        if (!results.insert(text).second)
-            throw Error(mistake.place + ": " + mistake.id + " makes the same change as an earlier mistake");
-    }
-    return mistakes;
+    return read_entries<Mistake>(root, step, "mistakes.md", parse_catalogue);
+}
+
+std::vector<Variant> read_variants(const fs::path& root, const std::string& step) {
+    return read_entries<Variant>(root, step, "variants.md", parse_variants);
 }
 
 fs::path gallery_picture(const fs::path& root, const std::string& step, const std::string& id) {
@@ -217,7 +241,7 @@ Words mistakes_in(const std::filesystem::path& root, const Exercise& exercise) {
     Words ids;
     for (const Mistake& mistake : read_catalogue(root, exercise.step)) {
         if (mistake.file != file) continue;
-        const auto changed = std::ranges::mismatch(lines, lines_of(with_mistake(mistake, reference))).in1;
+        const auto changed = std::ranges::mismatch(lines, lines_of(with_patch(mistake, reference))).in1;
         const auto line = std::size_t(changed - lines.begin());
         for (const LineRange& range : functions_named(reference, exercise.function))
             if (int(range.begin) < exercise.line && exercise.line <= int(range.end) && range.begin <= line &&

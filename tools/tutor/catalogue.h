@@ -1,6 +1,6 @@
-// The catalogue of mistakes that learners make.
-// For each step, exercises/NN_name/mistakes.md describes them and exercises/NN_name/gallery/ holds the
-// pictures that they produce.
+// The catalogue of mistakes that learners make, and that of right code in another shape than the reference's.
+// For each step, exercises/NN_name/mistakes.md describes the mistakes, exercises/NN_name/gallery/ holds the pictures
+// that they produce, and exercises/NN_name/variants.md describes the right variants.
 #pragma once
 
 #include "tools/compare/catalogue.h"
@@ -19,28 +19,41 @@ struct PatchLine {
     std::string text; ///< without the kind
 };
 
-struct Mistake {
+/// A described change of the reference.
+struct Patch {
     std::string step;  ///< "03_mirror"
     std::string id;    ///< "reflect-plus", unique in the step
     std::string title; ///< "the reflection keeps its normal part"
     std::string file;  ///< "03_mirror/mirror.h", below steps/
-    std::vector<PatchLine> patch;
-    std::string shows; ///< the visible effect; begins with "nothing" if there is none
-    std::string why;
-    std::string fix;
+    std::vector<PatchLine> lines;
     std::string place; ///< for error messages
 };
 
-/// Parses one file of the catalogue; `path` is used in error messages. Throws Error for the first error, as
+struct Mistake : Patch {
+    std::string shows; ///< the visible effect; begins with "nothing" if there is none
+    std::string why;
+    std::string fix;
+};
+
+/// Code that is as right as the reference's: all checks must pass, and the picture must be the reference's.
+struct Variant : Patch {
+    std::string form; ///< where it is found
+};
+
+/// Parse one file of a catalogue; `path` is used in error messages. Throw Error for the first error, as
 /// "path:line: what is wrong".
 std::vector<Mistake> parse_catalogue(const std::string& text, const std::string& path);
+std::vector<Variant> parse_variants(const std::string& text, const std::string& path);
 
-/// Returns the header with the mistake applied. Throws Error if the patch applies nowhere or in two places.
-std::string with_mistake(const Mistake& mistake, const std::string& header);
+/// Returns the header with the patch applied. Throws Error if it applies nowhere or in two places.
+std::string with_patch(const Patch& patch, const std::string& header);
 
 /// Returns the mistakes of a step from `root`/exercises/NN_name/mistakes.md; empty if there is no such file.
 /// Checks that each applies to `root`/steps. Throws Error.
 std::vector<Mistake> read_catalogue(const std::filesystem::path& root, const std::string& step);
+
+/// The same for the right variants in variants.md.
+std::vector<Variant> read_variants(const std::filesystem::path& root, const std::string& step);
 
 /// Returns the ids of the mistakes of the exercise's step that are in the exercise's function. Throws Error.
 Words mistakes_in(const std::filesystem::path& root, const Exercise& exercise);

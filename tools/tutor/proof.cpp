@@ -4,6 +4,7 @@
 #include "common/util/error.h"
 #include "common/util/file_bytes.h"
 #include "tools/tutor/catalogue.h"
+#include "tools/tutor/check_parts.h"
 #include "tools/tutor/record.h"
 #include "tools/tutor/system.h"
 #include "tools/tutor/util.h"
@@ -18,11 +19,13 @@ namespace fs = std::filesystem;
 std::string proof_key(const Toolchain& tools, const std::string& step) {
     Hash hash;
     add_sources(tools, check_sources(tools, {.step = step, .id = {}, .headers = {}}), hash);
-    for (const Mistake& mistake : read_catalogue(tools.root, step)) {
-        hash.add(mistake.id);
-        hash.add(mistake.file);
-        for (const PatchLine& line : mistake.patch) hash.add(line.kind + code_only(line.text));
-    }
+    const auto add = [&](const Patch& patch) {
+        hash.add(patch.id);
+        hash.add(patch.file);
+        for (const PatchLine& line : patch.lines) hash.add(line.kind + code_only(line.text));
+    };
+    std::ranges::for_each(read_catalogue(tools.root, step), add);
+    std::ranges::for_each(read_variants(tools.root, step), add);
     return hash.text();
 }
 
@@ -52,6 +55,27 @@ bool render_picture(const Toolchain& tools, const Change& change, const fs::path
     run_process(command, {.log = scratch.path / "log", .cpu_seconds = 30, .seconds = 300});
     write_file(stamp.string(), key);
     return fs::exists(picture);
+}
+
+std::string picture_complaint(const Toolchain& tools, const Change& change, const fs::path& folder) {
+    const fs::path stamp = folder / "key";
+    const std::string key = dependency_key(tools, change, program_source(change.step));
+    RenderJob job{.root = tools.root,
+                  .step = change.step,
+                  .program = {},
+                  .references = reference_folder(tools.root),
+                  .out = folder};
+    if (!fs::exists(stamp) || read_file(stamp.string()) != key) {
+        const TemporaryFolder scratch(tools.work);
+        const Outcome built = build_step(tools, change, scratch.path);
+        if (!built.compiled) return "does not compile: " + built.complaint;
+        fs::create_directories(folder);
+        job.program = scratch.path / "program";
+        if (const auto reason = render(job)) return *reason;
+        write_file(stamp.string(), key);
+    }
+    const compare::Comparison comparison = compare_render(job);
+    return compare::is_same(comparison.verdict) ? "" : joined(comparison.lines, "; ");
 }
 
 } // namespace rt::tutor

@@ -1,5 +1,5 @@
 // prove: shows that the checks work.
-// Every stub must fail, and every mistake must fail in a way that identifies it.
+// Every stub must fail, every mistake must fail in a way that identifies it, and every right variant must pass.
 #include "tools/compare/comparison.h"
 #include "common/util/report_error.h"
 #include "common/util/cores.h"
@@ -40,9 +40,11 @@ struct ProveOptions {
 /// A change to try, and its outcome.
 struct Trial {
     Change change;
-    const Mistake* mistake = nullptr; ///< nullptr for a stub
+    const Mistake* mistake = nullptr; ///< nullptr if it is none
+    const Variant* variant = nullptr;
     Outcome outcome;
     bool picture = false, differs = false;
+    std::string picture_complaint; ///< of a variant
 };
 
 /// The numbers of a step for the table and the JSON.
@@ -52,20 +54,26 @@ struct Count {
         pictures = 0;
     int still_first = 0, differing = 0;
     int taken_for_another = 0; ///< named as another mistake if their own signature is not known
+    int variants = 0, green = 0;
 
     void add(const Count& other) {
         stubs += other.stubs, stubs_failing += other.stubs_failing, mistakes += other.mistakes;
         caught += other.caught, named_first += other.named_first, named_in_group += other.named_in_group;
         pictures += other.pictures, still_first += other.still_first, differing += other.differing;
         taken_for_another += other.taken_for_another;
+        variants += other.variants, green += other.green;
     }
-    bool proved() const { return stubs_failing == stubs && caught == mistakes && named_in_group == mistakes; }
+    bool proved() const {
+        return stubs_failing == stubs && caught == mistakes && named_in_group == mistakes &&
+               green == variants;
+    }
 };
 
-/// All trials of a step: the reference, then its stubs, then its mistakes.
+/// All trials of a step: the reference, then its stubs, its mistakes and its right variants.
 struct StepProof {
     std::string step;
     std::vector<Mistake> mistakes;
+    std::vector<Variant> variants;
     std::vector<Trial> trials;
     Words complaints;
 };
@@ -86,15 +94,18 @@ void add_stubs(const fs::path& root, StepProof& proof) {
 }
 
 StepProof plan(const fs::path& root, const std::string& step) {
-    StepProof proof{step, read_catalogue(root, step), {}, {}};
+    StepProof proof{step, read_catalogue(root, step), read_variants(root, step), {}, {}};
     proof.trials.push_back({.change = {step, "reference", {}}, .outcome = {}});
     add_stubs(root, proof);
-    for (const Mistake& mistake : proof.mistakes) {
-        const std::string header = read_file((root / "steps" / mistake.file).string());
-        proof.trials.push_back({.change = {step, mistake.id, {{mistake.file, with_mistake(mistake, header)}}},
-                                .mistake = &mistake,
-                                .outcome = {}});
-    }
+    const auto change = [&](const Patch& patch, const std::string& id) {
+        const std::string header = read_file((root / "steps" / patch.file).string());
+        return Change{step, id, {{patch.file, with_patch(patch, header)}}};
+    };
+    for (const Mistake& mistake : proof.mistakes)
+        proof.trials.push_back({.change = change(mistake, mistake.id), .mistake = &mistake, .outcome = {}});
+    for (const Variant& variant : proof.variants)
+        proof.trials.push_back(
+            {.change = change(variant, "variant-" + variant.id), .variant = &variant, .outcome = {}});
     return proof;
 }
 
@@ -108,6 +119,12 @@ fs::path picture_path(const Toolchain& tools, const Change& change) {
 
 void try_out(const Toolchain& tools, Trial& trial, bool pictures) {
     trial.outcome = run_checks(tools, trial.change);
+    if (trial.variant != nullptr) {
+        if (pictures && trial.outcome.compiled)
+            trial.picture_complaint = picture_complaint(
+                tools, trial.change, tools.work / "variants" / trial.change.step / trial.change.id);
+        return;
+    }
     const bool stub = trial.mistake == nullptr && !trial.change.headers.empty();
     if (pictures && !stub && trial.outcome.compiled)
         trial.picture = render_picture(tools, trial.change, picture_path(tools, trial.change));
@@ -216,6 +233,28 @@ void judge_mistake(const Trial& trial, const std::vector<Signature>& known, Coun
     }
 }
 
+void judge_variant(const Trial& trial, Count& count, StepProof& proof) {
+    ++count.variants;
+    const auto failed = std::ranges::find_if(trial.outcome.results, has_failed);
+    std::string complaint;
+    if (!trial.outcome.compiled) {
+        complaint = "does not compile: " + trial.outcome.complaint;
+    } else if (trial.outcome.timed_out) {
+        complaint = "does not finish";
+    } else if (failed != trial.outcome.results.end()) {
+        complaint = "fails: " + failed->name;
+        if (!failed->failures.empty()) {
+            const Failure& failure = failed->failures.back();
+            complaint += ": " + (failure.notes.empty() ? failure.values : failure.notes.back());
+        }
+    } else if (!trial.picture_complaint.empty()) {
+        complaint = "has another picture: " + trial.picture_complaint;
+    }
+    count.green += complaint.empty();
+    if (!complaint.empty())
+        proof.complaints.push_back("the right variant " + trial.variant->id + " " + complaint);
+}
+
 /// Writes the pictures of the gallery: the correct one, and one for each mistake that changes the picture.
 void write_gallery(const Toolchain& tools, const StepProof& proof) {
     const fs::path right = gallery_picture(tools.root, proof.step, "right");
@@ -249,7 +288,9 @@ Count judge(const Toolchain& tools, StepProof& proof, bool write) {
         if (const auto own = rivals.find(trial.change.id); own != rivals.end())
             count.taken_for_another += is_taken_for_another(trial, known, own->second);
         trial.differs = trial.picture && differ(right, picture_path(tools, trial.change));
-        if (trial.mistake == nullptr)
+        if (trial.variant != nullptr)
+            judge_variant(trial, count, proof);
+        else if (trial.mistake == nullptr)
             judge_stub(trial, count, proof);
         else
             judge_mistake(trial, known, count, proof);
@@ -266,7 +307,9 @@ Json json(const Count& count) {
             {"caught", count.caught},
             {"named_first", count.named_first},
             {"named_in_group", count.named_in_group},
-            {"pictures", count.pictures}};
+            {"pictures", count.pictures},
+            {"variants", count.variants},
+            {"variants_green", count.green}};
 }
 
 std::string json(const std::vector<Count>& counts, const Count& total) {
@@ -282,7 +325,8 @@ void print_row(const Count& count) {
               << cell(part(count.caught, count.mistakes), 10) << cell(number(count.named_first), 13)
               << cell(number(count.named_in_group), 10) << cell(number(count.still_first), 13)
               << cell(number(count.taken_for_another), 12)
-              << cell(count.pictures > 0 ? part(count.differing, count.pictures) : "-", 12) << "\n";
+              << cell(count.pictures > 0 ? part(count.differing, count.pictures) : "-", 15)
+              << cell(part(count.green, count.variants), 16) << "\n";
 }
 
 fs::path record_path(const Toolchain& tools) {
@@ -292,11 +336,11 @@ fs::path record_path(const Toolchain& tools) {
 void note_key(const Toolchain& tools, const std::string& step) {
     Record record = read_record(record_path(tools));
     record[step] = proof_key(tools, step);
-    write_record(
-        record_path(tools),
-        "# For each step whose proof succeeded, a hash of its checks, their includes and its mistakes.\n"
-        "# Written by ./learn prove --write, read by ./learn prove --changed.\n",
-        record);
+    write_record(record_path(tools),
+                 "# For each step whose proof succeeded, a hash of its checks, their includes, its mistakes "
+                 "and variants.\n"
+                 "# Written by ./learn prove --write, read by ./learn prove --changed.\n",
+                 record);
 }
 
 std::vector<StepProof> plan_all(const Toolchain& tools, const ProveOptions& options) {
@@ -338,7 +382,7 @@ bool prove(const ProveOptions& options) {
             std::cout << proof.step << ": " << complaint << "\n";
     }
     std::cout << "step           stubs fail    caught  named alone  in group   1/3 dropped   left out  wrong "
-                 "picture\n";
+                 "picture  variants green\n";
     for (const Count& count : counts) print_row(count);
     print_row(total);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
@@ -354,8 +398,8 @@ bool prove(const ProveOptions& options) {
 int main(int argc, char** argv) {
     rt::tutor::ProveOptions options;
     CLI::App app(
-        "Proves that the checks work: every stub fails, and every mistake of the catalogue is caught "
-        "and named.\n"
+        "Proves that the checks work: every stub fails, every mistake of the catalogue is caught and "
+        "named, and every right variant passes.\n"
         "Exit code: 0 proved, 1 not proved, 2 an error.",
         "prove");
     app.set_version_flag("--version", rt::version());
