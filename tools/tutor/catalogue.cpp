@@ -234,6 +234,17 @@ compare::CatalogueMatch nearest_mistake(const fs::path& root, const std::string&
                                       compare::read_encoded(right.string()), {}, wrong);
 }
 
+std::string function_of(const fs::path& root, const Patch& patch) {
+    const std::string reference = read_file((root / "steps" / patch.file).string());
+    const Words lines = lines_of(reference);
+    const auto changed = std::ranges::mismatch(lines, lines_of(with_patch(patch, reference))).in1;
+    const int line = int(changed - lines.begin()) + 1;
+    for (const Exercise& exercise : find_exercises(reference, patch.file))
+        if (exercise.line < line && line < exercise.last_line)
+            return exercise.function + std::to_string(exercise.line);
+    return "";
+}
+
 Words mistakes_in(const std::filesystem::path& root, const Exercise& exercise) {
     const std::string file = exercise.step + "/" + exercise.file;
     const std::string reference = read_file((root / "steps" / file).string());

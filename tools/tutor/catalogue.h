@@ -55,6 +55,9 @@ std::vector<Mistake> read_catalogue(const std::filesystem::path& root, const std
 /// The same for the right variants in variants.md.
 std::vector<Variant> read_variants(const std::filesystem::path& root, const std::string& step);
 
+/// Returns the function that the patch begins to change; empty if it is in no exercise. Throws Error.
+std::string function_of(const std::filesystem::path& root, const Patch& patch);
+
 /// Returns the ids of the mistakes of the exercise's step that are in the exercise's function. Throws Error.
 Words mistakes_in(const std::filesystem::path& root, const Exercise& exercise);
 

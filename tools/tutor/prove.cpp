@@ -40,11 +40,11 @@ struct ProveOptions {
 /// A change to try, and its outcome.
 struct Trial {
     Change change;
-    const Mistake* mistake = nullptr; ///< nullptr if it is none
-    const Variant* variant = nullptr;
+    const Mistake* mistake = nullptr;     ///< nullptr if it is none
+    std::vector<const Variant*> variants; ///< right ones of different functions, tried together
     Outcome outcome;
     bool picture = false, differs = false;
-    std::string picture_complaint; ///< of a variant
+    Words complaints; ///< one for each variant that is not green
 };
 
 /// The numbers of a step for the table and the JSON.
@@ -93,19 +93,42 @@ void add_stubs(const fs::path& root, StepProof& proof) {
     proof.trials.push_back({.change = all, .outcome = {}});
 }
 
+/// Returns the reference with these variants applied.
+Change with_variants(const fs::path& root, const std::vector<const Variant*>& variants) {
+    Change change{variants[0]->step, "variant-" + variants[0]->id, {}};
+    for (const Variant* variant : variants) {
+        std::string& header = change.headers[variant->file];
+        if (header.empty()) header = read_file((root / "steps" / variant->file).string());
+        header = with_patch(*variant, header);
+    }
+    return change;
+}
+
+/// Adds the variants, each with those of other functions: the first ones of all functions together, then the second
+/// ones.
+void add_variants(const fs::path& root, StepProof& proof) {
+    std::map<std::string, std::size_t> so_far;
+    std::vector<std::vector<const Variant*>> groups;
+    for (const Variant& variant : proof.variants) {
+        const std::size_t index = so_far[variant.file + function_of(root, variant)]++;
+        if (index == groups.size()) groups.emplace_back();
+        groups[index].push_back(&variant);
+    }
+    for (const auto& group : groups)
+        proof.trials.push_back({.change = with_variants(root, group), .variants = group, .outcome = {}});
+}
+
 StepProof plan(const fs::path& root, const std::string& step) {
     StepProof proof{step, read_catalogue(root, step), read_variants(root, step), {}, {}};
     proof.trials.push_back({.change = {step, "reference", {}}, .outcome = {}});
     add_stubs(root, proof);
-    const auto change = [&](const Patch& patch, const std::string& id) {
+    const auto change = [&](const Patch& patch) {
         const std::string header = read_file((root / "steps" / patch.file).string());
-        return Change{step, id, {{patch.file, with_patch(patch, header)}}};
+        return Change{step, patch.id, {{patch.file, with_patch(patch, header)}}};
     };
     for (const Mistake& mistake : proof.mistakes)
-        proof.trials.push_back({.change = change(mistake, mistake.id), .mistake = &mistake, .outcome = {}});
-    for (const Variant& variant : proof.variants)
-        proof.trials.push_back(
-            {.change = change(variant, "variant-" + variant.id), .variant = &variant, .outcome = {}});
+        proof.trials.push_back({.change = change(mistake), .mistake = &mistake, .outcome = {}});
+    add_variants(root, proof);
     return proof;
 }
 
@@ -117,14 +140,37 @@ fs::path picture_path(const Toolchain& tools, const Change& change) {
     return tools.work / "pictures" / change.step / (change.id + ".png");
 }
 
-void try_out(const Toolchain& tools, Trial& trial, bool pictures) {
-    trial.outcome = run_checks(tools, trial.change);
-    if (trial.variant != nullptr) {
-        if (pictures && trial.outcome.compiled)
-            trial.picture_complaint = picture_complaint(
-                tools, trial.change, tools.work / "variants" / trial.change.step / trial.change.id);
-        return;
+/// Returns what is red with the change, which should be right; empty if nothing is.
+std::string complaint_about(const Toolchain& tools, const Change& change, bool pictures) {
+    const Outcome outcome = run_checks(tools, change);
+    if (!outcome.compiled) return "does not compile: " + outcome.complaint;
+    if (outcome.timed_out) return "does not finish";
+    for (const CheckResult& result : outcome.results) {
+        if (!has_failed(result)) continue;
+        if (result.failures.empty()) return "fails: " + result.name;
+        const Failure& failure = result.failures.back();
+        return "fails: " + result.name + ": " +
+               (failure.notes.empty() ? failure.values : failure.notes.back());
     }
+    if (!pictures) return "";
+    const std::string complaint =
+        picture_complaint(tools, change, tools.work / "variants" / change.step / change.id);
+    return complaint.empty() ? "" : "has another picture: " + complaint;
+}
+
+/// Tries the variants together. Only if they are red, each alone, to say which one it is.
+void try_variants(const Toolchain& tools, Trial& trial, bool pictures) {
+    if (complaint_about(tools, trial.change, pictures).empty()) return;
+    for (const Variant* variant : trial.variants)
+        if (const std::string complaint =
+                complaint_about(tools, with_variants(tools.root, {variant}), pictures);
+            !complaint.empty())
+            trial.complaints.push_back("the right variant " + variant->id + " " + complaint);
+}
+
+void try_out(const Toolchain& tools, Trial& trial, bool pictures) {
+    if (!trial.variants.empty()) return try_variants(tools, trial, pictures);
+    trial.outcome = run_checks(tools, trial.change);
     const bool stub = trial.mistake == nullptr && !trial.change.headers.empty();
     if (pictures && !stub && trial.outcome.compiled)
         trial.picture = render_picture(tools, trial.change, picture_path(tools, trial.change));
@@ -233,26 +279,10 @@ void judge_mistake(const Trial& trial, const std::vector<Signature>& known, Coun
     }
 }
 
-void judge_variant(const Trial& trial, Count& count, StepProof& proof) {
-    ++count.variants;
-    const auto failed = std::ranges::find_if(trial.outcome.results, has_failed);
-    std::string complaint;
-    if (!trial.outcome.compiled) {
-        complaint = "does not compile: " + trial.outcome.complaint;
-    } else if (trial.outcome.timed_out) {
-        complaint = "does not finish";
-    } else if (failed != trial.outcome.results.end()) {
-        complaint = "fails: " + failed->name;
-        if (!failed->failures.empty()) {
-            const Failure& failure = failed->failures.back();
-            complaint += ": " + (failure.notes.empty() ? failure.values : failure.notes.back());
-        }
-    } else if (!trial.picture_complaint.empty()) {
-        complaint = "has another picture: " + trial.picture_complaint;
-    }
-    count.green += complaint.empty();
-    if (!complaint.empty())
-        proof.complaints.push_back("the right variant " + trial.variant->id + " " + complaint);
+void judge_variants(const Trial& trial, Count& count, StepProof& proof) {
+    count.variants += int(trial.variants.size());
+    count.green += int(trial.variants.size() - trial.complaints.size());
+    proof.complaints.insert(proof.complaints.end(), trial.complaints.begin(), trial.complaints.end());
 }
 
 /// Writes the pictures of the gallery: the correct one, and one for each mistake that changes the picture.
@@ -288,8 +318,8 @@ Count judge(const Toolchain& tools, StepProof& proof, bool write) {
         if (const auto own = rivals.find(trial.change.id); own != rivals.end())
             count.taken_for_another += is_taken_for_another(trial, known, own->second);
         trial.differs = trial.picture && differ(right, picture_path(tools, trial.change));
-        if (trial.variant != nullptr)
-            judge_variant(trial, count, proof);
+        if (!trial.variants.empty())
+            judge_variants(trial, count, proof);
         else if (trial.mistake == nullptr)
             judge_stub(trial, count, proof);
         else
