@@ -137,6 +137,54 @@ TEST_CASE("the work does not depend on the unit of length") {
     }
 }
 
+TEST_CASE("the best split has the least cost of all borders between bins and the cost that it claims") {
+    // Boxes of very different sizes, so that the middle and a corner of a box are in different bins.
+    Random random(54);
+    int compared = 0;
+    for (int round = 0; round < 60; ++round) {
+        std::vector<Aabb> boxes;
+        std::vector<std::uint32_t> all;
+        Aabb parent, middles;
+        for (std::uint32_t i = 0; i < 5 + std::uint32_t(round); ++i) {
+            const vec3 low = random_point(random);
+            const float size = 2 * std::pow(random.get_1d(), 4.0f);
+            boxes.push_back({low, low + size * random_point(random)});
+            all.push_back(i);
+            extend(parent, boxes.back());
+            extend(middles, centroid(boxes.back()));
+        }
+        for (int axis = 0; axis < 3; ++axis) {
+            const float begin = middles.min[axis], width = (middles.max[axis] - begin) / bin_count;
+            const auto cost_at = [&](float position) { // infinite if one side is empty
+                Aabb left, right;
+                int count = 0;
+                for (const Aabb& box : boxes) {
+                    const bool goes_left = centroid(box)[axis] < position;
+                    extend(goes_left ? left : right, box);
+                    count += goes_left;
+                }
+                const int rest = int(boxes.size()) - count;
+                const float sum = half_area(left) * float(count) + half_area(right) * float(rest);
+                return count == 0 || rest == 0 ? infinity : sum / half_area(parent);
+            };
+            const bool close_to_a_border = std::ranges::any_of(boxes, [&](const Aabb& box) {
+                const float bin = (centroid(box)[axis] - begin) / width;
+                return bin > 0.5f && bin < bin_count - 0.5f && std::abs(bin - std::round(bin)) < 1e-3f;
+            });
+            if (close_to_a_border) continue; // rounding may put it into either bin
+            float least = infinity;
+            for (int i = 1; i < bin_count; ++i) least = std::min(least, cost_at(begin + float(i) * width));
+            const Split split = find_best_split(all, boxes, middles, half_area(parent), axis);
+            ++compared;
+            INFO(boxes.size(), " boxes, axis ", axis, ": the split at ", split.position);
+            CHECK_MESSAGE(split.cost == approx(cost_at(split.position), 1e-3f),
+                          "the cost of another split: shapes go left by the middles of their boxes");
+            CHECK_MESSAGE(split.cost == approx(least, 1e-3f), "another border costs less");
+        }
+    }
+    CHECK(compared > 60);
+}
+
 TEST_CASE("walls and floors with flat boxes make a good tree too") {
     ObjModel file = empty_file();
     Random random(53);

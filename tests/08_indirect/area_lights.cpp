@@ -177,6 +177,25 @@ TEST_CASE("an occluder in front of a light darkens and one behind it does not") 
     CHECK(off(half, left) < 4);
 }
 
+TEST_CASE("a point of a lamp gets no light from that very point and none from the lamp's plane") {
+    struct Corner { // selects the quad's corner
+        float get_1d() { return 0; }
+        vec2 get_2d() { return vec2(0); }
+    } corner;
+    Scene scene;
+    scene.quads = {{{1, 2, 3}, {1, 0, 0}, {0, 0, 1}, add(scene.materials, emissive(vec3(5)))}};
+    build_bvhs(scene);
+    const AreaLights lights = collect_area_lights(scene);
+    for (const auto& against : {std::optional<HemisphereSampling>(), {HemisphereSampling::cosine}}) {
+        const auto from = [&](vec3 position, vec3 normal) {
+            return sample_area_lights(scene, lights, facing(position, normal), corner, vec3(0), against);
+        };
+        CHECK_MESSAGE(from({1, 2, 3}, {0, 1, 0}) == vec3(0),
+                      "NaN: 0 / 0 is the cosine there, and NaN <= 0 is false; write !(cosine > 0)");
+        CHECK(from({-1, 2, 3}, {1, 0, 0}) == vec3(0));
+    }
+}
+
 TEST_CASE("a scene without area lights gets no light from them") {
     Scene scene;
     scene.spheres = {{{0, 3, 0}, 1, add(scene.materials, Diffuse{vec3(0.5f)})}};

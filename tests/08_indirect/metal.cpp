@@ -23,6 +23,23 @@ TEST_CASE("a metal with fuzz 0 is a mirror") {
     }
 }
 
+TEST_CASE("on a smooth mesh too no ray goes into the surface") {
+    Hit hit = facing({1, 2, 3}, normals[5]);
+    hit.shading_normal = normalize(hit.geometric_normal + 0.7f * make_basis(hit.geometric_normal).u);
+    const vec3 direction = -normalize(hit.geometric_normal - 0.3f * make_basis(hit.geometric_normal).u);
+    Random random(73);
+    int left = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const auto ray =
+            scatter_metal(Metal{vec3(1), 0.9f}, {hit.position - direction, direction}, hit, random.get_2d());
+        if (!ray) continue;
+        ++left;
+        REQUIRE_MESSAGE(dot(ray->direction, hit.geometric_normal) > 0,
+                        "the true normal decides whether the ray enters the surface");
+    }
+    CHECK(left > 500);
+}
+
 TEST_CASE(
     "a fuzzy metal scatters evenly around the mirror direction, and loses rays that enter the surface") {
     // On the sphere of radius f around the unit mirror direction, heights are uniform: if the mirror ray has

@@ -8,8 +8,8 @@
 using namespace rt;
 
 TEST_CASE("roulette leaves the mean of a path's throughput unchanged") {
-    for (const vec3 carried :
-         {vec3(0.2f, 0.05f, 0.1f), vec3(0.02f), vec3(0.5f, 0.9f, 0.1f), vec3(1), vec3(1.3f)}) {
+    for (const vec3 carried : {vec3(0.2f, 0.05f, 0.1f), vec3(0.02f), vec3(0.5f, 0.9f, 0.1f),
+                               vec3(0.5f, 0, 0.2f), vec3(1), vec3(1.3f)}) {
         std::array<Mean, 3> mean;
         Random random(11);
         for (int i = 0; i < 50'000; ++i) {
