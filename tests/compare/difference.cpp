@@ -57,7 +57,7 @@ TEST_CASE("the largest difference is located with its size and sign") {
     CHECK_ERROR(conclude(compare_pixels(scene(), test)).words, "darker by 10.7 % there");
 }
 
-TEST_CASE("in glass a few more pixels may differ if the mean hardly does") {
+TEST_CASE("in the picture of a step a few more pixels may differ if the mean hardly does") {
     const auto with_row = [](float factor) {
         Image test = scene();
         for (int x = 80; x < 120; ++x) test(x, 80) *= factor;

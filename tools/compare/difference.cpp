@@ -187,7 +187,7 @@ Conclusion conclude(const Difference& d, int step) {
     };
     const bool same =
         is_within(limits.min_share_within, limits.max_mean_difference) ||
-        (step == 4 && is_within(limits.min_share_within_glass, limits.max_mean_difference_glass));
+        (step > 0 && is_within(limits.min_share_within_rounding, limits.max_mean_difference_rounding));
     std::ostringstream words;
     words.precision(3);
     if (same) {
