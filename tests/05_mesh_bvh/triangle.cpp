@@ -32,22 +32,20 @@ TEST_CASE("the point where a ray hits a triangle is the weighted mean of the ver
 
 TEST_CASE("a ray beside a triangle misses it even in the other half of its parallelogram") {
     const vec3 from{4, -3, 9};
-    const auto hit_at = [&](vec2 uv) {
-        const vec3 target = (1 - uv.x - uv.y) * a + uv.x * b + uv.y * c;
-        return intersect(a, b, c, Ray{from, target - from}).has_value();
+    const auto hits_at = [&](std::initializer_list<vec2> beside) {
+        std::string hits;
+        for (const vec2 uv : beside) {
+            const vec3 target = (1 - uv.x - uv.y) * a + uv.x * b + uv.y * c;
+            if (intersect(a, b, c, Ray{from, target - from})) hits += to_text(uv);
+        }
+        return hits;
     };
-    for (const vec2 uv : {vec2(0.7f, 0.7f), vec2(1.01f, 0), vec2(0.505f, 0.505f), vec2(2, 2)}) {
-        INFO("u, v = ", uv);
-        CHECK_MESSAGE(!hit_at(uv), "u + v > 1 must be tested, not only u and v");
-    }
-    for (const vec2 uv : {vec2(-0.01f, 0.5f), vec2(-0.2f, 1.1f)}) {
-        INFO("u, v = ", uv);
-        CHECK_MESSAGE(!hit_at(uv), "u < 0 must be tested, not only v and the sum");
-    }
-    for (const vec2 uv : {vec2(0.5f, -0.01f), vec2(1.3f, -0.2f)}) {
-        INFO("u, v = ", uv);
-        CHECK_MESSAGE(!hit_at(uv), "v < 0 must be tested, not only u and the sum");
-    }
+    const std::string over_the_sum = hits_at({{0.7f, 0.7f}, {1.01f, 0}, {0.505f, 0.505f}, {2, 2}});
+    CHECK_MESSAGE(over_the_sum == "", "u + v > 1 must be tested, not only u and v");
+    const std::string below_u = hits_at({{-0.01f, 0.5f}, {-0.2f, 1.1f}});
+    CHECK_MESSAGE(below_u == "", "u < 0 must be tested, not only v and the sum");
+    const std::string below_v = hits_at({{0.5f, -0.01f}, {1.3f, -0.2f}});
+    CHECK_MESSAGE(below_v == "", "v < 0 must be tested, not only u and the sum");
 }
 
 TEST_CASE("a triangle is hit from both sides") {
