@@ -32,13 +32,20 @@ TEST_CASE("the point where a ray hits a triangle is the weighted mean of the ver
 
 TEST_CASE("a ray beside a triangle misses it even in the other half of its parallelogram") {
     const vec3 from{4, -3, 9};
-    for (const vec2 uv : {vec2(0.7f, 0.7f), vec2(1.01f, 0), vec2(-0.01f, 0.5f), vec2(0.5f, -0.01f),
-                          vec2(0.505f, 0.505f), vec2(-0.2f, 1.1f), vec2(1.3f, -0.2f), vec2(2, 2)}) {
-        INFO("u, v = ", uv);
-        const vec3 target = (1 - uv.x - uv.y) * a + uv.x * b + uv.y * c;
-        CHECK_MESSAGE(!intersect(a, b, c, Ray{from, target - from}),
-                      "u + v > 1 must be tested, not only u and v");
-    }
+    const auto hits_at = [&](std::initializer_list<vec2> beside) {
+        std::string hits;
+        for (const vec2 uv : beside) {
+            const vec3 target = (1 - uv.x - uv.y) * a + uv.x * b + uv.y * c;
+            if (intersect(a, b, c, Ray{from, target - from})) hits += to_text(uv);
+        }
+        return hits;
+    };
+    const std::string over_the_sum = hits_at({{0.7f, 0.7f}, {1.01f, 0}, {0.505f, 0.505f}, {2, 2}});
+    CHECK_MESSAGE(over_the_sum == "", "u + v > 1 must be tested, not only u and v");
+    const std::string below_u = hits_at({{-0.01f, 0.5f}, {-0.2f, 1.1f}});
+    CHECK_MESSAGE(below_u == "", "u < 0 must be tested, not only v and the sum");
+    const std::string below_v = hits_at({{0.5f, -0.01f}, {1.3f, -0.2f}});
+    CHECK_MESSAGE(below_v == "", "v < 0 must be tested, not only u and the sum");
 }
 
 TEST_CASE("a triangle is hit from both sides") {
@@ -53,6 +60,10 @@ TEST_CASE("a triangle is hit from both sides") {
 TEST_CASE("a triangle behind the ray or outside its interval is not hit") {
     const vec3 target = (a + b + c) / 3.0f, away{0.3f, -0.5f, 0.4f};
     CHECK_MESSAGE(!intersect(a, b, c, Ray{target + away, away}), "t = -1: the triangle is behind the ray");
+    const vec3 beside_v = a + 0.5f * (b - a) - 0.3f * (c - a),
+               beside_both = a - 0.3f * (b - a) - 0.3f * (c - a);
+    CHECK_MESSAGE(!intersect(a, b, c, Ray{beside_v + away, away}), "v and t have the wrong sign");
+    CHECK_MESSAGE(!intersect(a, b, c, Ray{beside_both + away, away}), "u, v and t have the wrong sign");
     CHECK(intersect(a, b, c, Ray{target + away, -away}).has_value());
     CHECK_MESSAGE(!intersect(a, b, c, Ray{target + away, -away, 0, 0.99f}), "t = 1 is beyond t_max = .99");
     CHECK_MESSAGE(!intersect(a, b, c, Ray{target + away, -away, 1.01f, 5}), "t = 1 is before t_min = 1.01");
