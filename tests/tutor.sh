@@ -47,7 +47,7 @@ says "Write 3 functions" start 03
 gap=$(grep -n "TODO: where does the reflected ray start" "$workshop/03_mirror/mirror.h" | cut -d: -f1)
 [[ $said == *"mirror.h:$gap  reflected_ray"* ]] || wrong "start 03: expected 'mirror.h:$gap  reflected_ray', got: $said"
 says "mirror.h already exists" start 3
-says "next: write reflect in" status
+says "next: write shade in" status
 says "Hint 1 of 3" hint 03 reflected_ray
 says "Hint 2 of 3" hint 03 reflected_ray
 says "Hint 2 of 3" hint 03 reflected_ray --again
@@ -98,7 +98,7 @@ said=$(PATH=$folder/none "$tutor" --root "$project" --workshop "$workshop" debug
 # Wrong arguments.
 refuses "there is no step '9'" start 9
 refuses "there is no step '03/..'" hint 03/..
-refuses "03_mirror has no function 'mirror' to write; it has reflect, reflected_ray" hint 03 mirror
+refuses "03_mirror has no function 'mirror' to write; it has shade, reflected_ray" hint 03 mirror
 refuses "there is no file 'mirror' in" diff 03 mirror
 refuses "there is no file '../../x' in" undo 03 ../../x
 refuses "STEP is required" start
