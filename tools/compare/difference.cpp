@@ -182,12 +182,10 @@ TileDifference compare_tiles(const Image& test, const Image& reference, const Im
 
 Conclusion conclude(const Difference& d, int step) {
     const double within = d.pixels > 0 ? 1 - double(d.differing) / double(d.pixels) : 1;
-    const auto is_within = [&](double share, double mean) {
-        return within >= share && d.mean <= mean; // false for NaN
-    };
-    const bool same =
-        is_within(limits.min_share_within, limits.max_mean_difference) ||
-        (step > 0 && is_within(limits.min_share_within_rounding, limits.max_mean_difference_rounding));
+    const bool only_rounding = step > 0 && within >= limits.min_share_within_rounding &&
+                               std::abs(d.mean_change) <= limits.max_mean_change_rounding;
+    const bool same = (within >= limits.min_share_within || only_rounding) &&
+                      d.mean <= limits.max_mean_difference; // false for NaN
     std::ostringstream words;
     words.precision(3);
     if (same) {

@@ -69,7 +69,7 @@ int allowed_outliers(int tiles);
 /// Returns "brighter by 12 %", "darker by a factor of 3.14", "equally bright, in a different colour".
 std::string change_in_words(double test, double reference);
 
-/// In the picture of a step (not 0) more pixels may differ if the mean hardly does.
+/// In the picture of a step (not 0) more pixels may differ if the picture is as bright as before.
 Conclusion conclude(const Difference& difference, int step = 0);
 Conclusion conclude(const TileDifference& difference);
 
