@@ -19,10 +19,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Builds the libraries that every program needs, and returns how to compile one.
-Toolchain own_toolchain(const Project& project) {
+/// Builds the libraries that the step's program needs, and returns how to compile it.
+Toolchain own_toolchain(const Project& project, const std::string& step) {
     const Preset preset{project.root};
-    make(preset, {"common", "raysteps_accel", "test_main", "built_assets"}, true);
+    make(preset, targets_for(step), true);
     make_folder(preset.folder() / "check");
     return read_toolchain(project.root, preset.folder(), preset.folder() / "check", Strictness::learner);
 }
@@ -64,12 +64,12 @@ Words debugger_command(const fs::path& program) {
 /// Compiles the step's program with the files in the workshop, not optimised.
 void build_for_debugger(const Project& project, const std::string& step, const fs::path& program) {
     std::cout << "building " << display_path(program) << " ..." << std::endl;
-    const Toolchain tools = own_toolchain(project);
+    const Toolchain tools = own_toolchain(project, step);
     const fs::path log = tools.work / "debug.log";
     Words command{tools.compiler, "-I" + project.workshop.string(), "-I" + steps_folder(project).string()};
     append(command, tools.flags);
     append(command, {"-w", "-O0", "-g", (project.root / program_source(step)).string()});
-    append(command, tools.libraries);
+    append(command, libraries_for(tools, step));
     append(command, {"-pthread", "-o", program.string()});
     if (run_process(command, {.log = log}).code != 0) refuse(read_file(log.string()));
 }
@@ -137,7 +137,7 @@ fs::path write_gallery(const fs::path& folder) {
 void build_with_scene(const Project& project, const std::string& step, const std::string& path,
                       const std::string& text, const fs::path& folder) {
     std::cout << "building step " << number_of(step) << " with " << path << " ..." << std::endl;
-    const Toolchain tools = own_toolchain(project);
+    const Toolchain tools = own_toolchain(project, step);
     precompile_headers(tools, step);
     Change change{step, "scene", own_headers(project, step)};
     change.headers["05_mesh_bvh/program/own_scene.h"] = "#line 1 \"" + path + "\"\n" + text;

@@ -113,8 +113,7 @@ Outcome build_program(const Toolchain& tools, const Change& change, const BuildP
     Words link = plan.flags[0].starts_with("-fsanitize") ? Words{plan.flags[0]} : Words();
     link.push_back(object.string());
     if (plan.is_check) link.push_back(tools.test_main);
-    if (has_meshes(step_of(plan.source))) append(link, tools.mesh_libraries);
-    append(link, tools.libraries);
+    append(link, libraries_for(tools, step_of(plan.source)));
     append(link, {"-pthread", "-o", (folder / "program").string()});
     return compile(tools, folder, link);
 }
@@ -159,6 +158,12 @@ void precompile(const Toolchain& tools, const std::string& header, const std::st
 Words targets_for(const std::string& step) {
     if (!has_meshes(step)) return {"test_main", "common"};
     return {"test_main", "common", "raysteps_accel", "built_assets", "models"};
+}
+
+Words libraries_for(const Toolchain& tools, const std::string& step) {
+    Words libraries = has_meshes(step) ? tools.mesh_libraries : Words();
+    append(libraries, tools.libraries);
+    return libraries;
 }
 
 std::string program_source(const std::string& step) {

@@ -50,6 +50,9 @@ struct Outcome {
 /// 05 on need the fast tree, the built meshes and the readers of models.
 Words targets_for(const std::string& step);
 
+/// Returns what a step's checks and its program are linked with.
+Words libraries_for(const Toolchain& tools, const std::string& step);
+
 /// Returns "steps/03_mirror/main.cpp".
 std::string program_source(const std::string& step);
 
