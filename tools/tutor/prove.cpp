@@ -333,9 +333,11 @@ Count judge(const Toolchain& tools, StepProof& proof, bool write) {
         else
             judge_mistake(trial, known, count, proof);
     }
-    count.milestones = int(read_milestones(tools.root, proof.step).size());
-    count.reached = count.milestones - int(proof.milestones.size());
-    append(proof.complaints, proof.milestones);
+    if (proof.trials[0].picture) { // milestones are pictures
+        count.milestones = int(read_milestones(tools.root, proof.step).size());
+        count.reached = count.milestones - int(proof.milestones.size());
+        append(proof.complaints, proof.milestones);
+    }
     if (write && proof.trials[0].picture) write_gallery(tools, proof);
     return count;
 }
@@ -370,7 +372,7 @@ void print_row(const Count& count) {
               << cell(number(count.taken_for_another), 12)
               << cell(count.pictures > 0 ? part(count.differing, count.pictures) : "-", 15)
               << cell(part(count.green, count.variants), 16)
-              << cell(part(count.reached, count.milestones), 12) << "\n";
+              << cell(count.milestones > 0 ? part(count.reached, count.milestones) : "-", 12) << "\n";
 }
 
 fs::path record_path(const Toolchain& tools) {
