@@ -370,7 +370,7 @@ test("without pictures the report states why", async () => {
 test("foreign text is never executed", async () => {
     await open("evil");
     assert.ok(await see("window.harm === undefined"), "a text was executed");
-    const evil = "</script><script>window.harm = 1</script><!-- <img src=x onerror=\"window.harm = 1\"> ' & \\ {{report}} " +
+    const evil = "</script><script>window.harm = 1</script><!-- <img src=x onerror=\"window.harm = 1\"> ' & \\ {{data}} " +
         "a_long_word".repeat(12);
     for (const selector of ["h1", "#files", "#earlier", "#picture-lines", "#mistake-title", "#confidence",
         "#mistake-facts dd", "#next", "#settings", ".check .name", ".check .lines"]) {

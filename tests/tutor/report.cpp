@@ -152,7 +152,7 @@ Json unbuilt_report() {
 std::string evil_text() {
     std::string text =
         "</script><script>window.harm = 1</script><!-- <img src=x onerror=\"window.harm = 1\"> "
-        "' & \\ {{report}} ";
+        "' & \\ {{data}} ";
     for (int i = 0; i < 12; ++i) text += "a_long_word";
     return text;
 }
@@ -354,11 +354,12 @@ TEST_CASE("a frame that is missing or has no place for the data is an error that
     Json report = unbuilt_report();
     const auto error = [&] { return error_of([&] { report_html(folder.path, report); }); };
     CHECK_ERROR(error(), "tools/tutor/report.html: no such file");
-    folder.write("tools/tutor/report.html", "<html></html>");
-    CHECK_ERROR(error(), "tools/tutor/report.html: {{report}} must occur in it exactly once");
-    folder.write("tools/tutor/report.html", "{{report}} {{report}}");
-    CHECK_ERROR(error(), "tools/tutor/report.html: {{report}} must occur in it exactly once");
-    folder.write("tools/tutor/report.html", "<{{report}}>");
+    folder.write("tools/tutor/page.js", "");
+    folder.write("tools/tutor/report.html", "<html>{{page.js}}</html>");
+    CHECK_ERROR(error(), "tools/tutor/report.html: {{data}} must occur in it exactly once");
+    folder.write("tools/tutor/report.html", "{{page.js}} {{data}} {{data}}");
+    CHECK_ERROR(error(), "tools/tutor/report.html: {{data}} must occur in it exactly once");
+    folder.write("tools/tutor/report.html", "<{{data}}>{{page.js}}");
     CHECK(error() == "no error");
 }
 

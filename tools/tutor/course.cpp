@@ -47,13 +47,6 @@ std::string date() {
     return text;
 }
 
-/// The template of the page, with the data in it.
-std::string course_html(const fs::path& root, const Json& course) {
-    constexpr std::string_view place = "{{course}}";
-    std::string page = read_file((root / "tools/tutor/course.html").string());
-    return page.replace(page.find(place), place.size(), script_safe_json(course));
-}
-
 } // namespace
 
 void make_course_page(const Project& project, bool open) {
@@ -79,7 +72,7 @@ void make_course_page(const Project& project, bool open) {
         scratch.path / "cover.png");
     const fs::path page = project.workshop / "report" / "course.html";
     make_folder(page.parent_path());
-    write_file(page.string(), course_html(project.root, course));
+    write_file(page.string(), filled_page(project.root, "course.html", course));
     std::cout << "your page: " << display_path(page) << std::endl;
     if (open && !open_page(page))
         std::cout << "there is no program here that opens a page; open it yourself\n";

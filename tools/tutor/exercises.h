@@ -30,9 +30,9 @@ std::vector<std::filesystem::path> entries_of(const std::filesystem::path& folde
 /// or a task, or outside of a function.
 std::vector<Exercise> find_exercises(const std::string& text, const std::string& path);
 
-/// Returns all exercises of a step in an order in which they can be written: that of their milestones; without these,
-/// a file comes after those that it includes. If several functions of a step have the same name, the file is appended (intersect_sphere); the
-/// second region of a function is called fresnel_2.
+/// Returns all exercises of a step in an order in which they can be written: that of their milestones; without
+/// these, a file comes after those that it includes. If several functions of a step have the same name, the file is
+/// appended (intersect_sphere); the second region of a function is called fresnel_2.
 std::vector<Exercise> find_step_exercises(const std::filesystem::path& steps, const std::string& step);
 
 /// Returns the file with the regions of these exercises replaced by the task as a TODO, and the placeholder.

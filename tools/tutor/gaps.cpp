@@ -145,11 +145,10 @@ Words own_tree_flags(const Project& project, const std::string& step, const Word
     const std::string with_tree = "05_mesh_bvh";
     std::error_code ignored;
     if (step <= with_tree || !fs::is_regular_file(project.workshop / with_tree / "bvh.h", ignored)) return {};
+    const auto chooses = [](const std::string& flag) { return flag.starts_with("--accel"); };
     const std::vector<Gap> gaps = gaps_of(project, with_tree);
-    const bool complete = std::ranges::find(gaps, GapState::unwritten, &Gap::state) == gaps.end(),
-               chosen =
-                   std::ranges::any_of(given, [](const auto&flag) { return flag.starts_with("--accel"); });
-    return complete && !chosen ? Words{"--accel", "bvh"} : Words();
+    const bool complete = std::ranges::find(gaps, GapState::unwritten, &Gap::state) == gaps.end();
+    return complete && std::ranges::none_of(given, chooses) ? Words{"--accel", "bvh"} : Words();
 }
 
 Headers own_headers(const Project& project, const std::string& step) {

@@ -10,8 +10,13 @@ namespace rt::tutor {
 
 namespace {
 
-/// The placeholder for the data; it occurs once in the template.
-constexpr std::string_view place = "{{report}}";
+/// Replaces the placeholder, which must occur once in a template. Throws Error.
+void fill_in(std::string& page, std::string_view place, const std::string& text, const std::string& path) {
+    const std::size_t at = page.find(place);
+    if (at == std::string::npos || page.find(place, at + 1) != std::string::npos)
+        throw Error(path + ": " + std::string(place) + " must occur in it exactly once");
+    page.replace(at, place.size(), text);
+}
 
 std::uint32_t byte_at(std::string_view bytes, std::size_t i) {
     return i < bytes.size() ? static_cast<std::uint8_t>(bytes[i]) : 0;
@@ -86,16 +91,19 @@ std::string base64(std::string_view bytes) {
     return out;
 }
 
+std::string filled_page(const std::filesystem::path& root, const std::string& name, const Json& data) {
+    const std::filesystem::path folder = root / "tools/tutor";
+    const std::string path = (folder / name).string();
+    std::string page = read_file(path);
+    fill_in(page, "{{page.js}}", read_file((folder / "page.js").string()), path);
+    fill_in(page, "{{data}}", script_safe_json(data), path);
+    return page;
+}
+
 std::string report_html(const std::filesystem::path& root, Json report) {
-    const std::string frame = (root / "tools/tutor/report.html").string();
-    std::string page = read_file(frame);
-    const std::size_t at = page.find(place);
-    if (at == std::string::npos || page.find(place, at + 1) != std::string::npos)
-        throw Error(frame + ": " + std::string(place) +
-                    " must occur in it exactly once, where the data goes");
     embed_pictures(report["pictures"]);
     embed_mistake(report["mistake"]);
-    return page.replace(at, place.size(), script_safe_json(report));
+    return filled_page(root, "report.html", report);
 }
 
 } // namespace rt::tutor

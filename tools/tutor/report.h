@@ -16,6 +16,10 @@ std::string script_safe_json(const Json& value);
 /// Encodes bytes as Base64 with padding (RFC 4648, section 4).
 std::string base64(std::string_view bytes);
 
+/// Returns a template of tools/tutor/ ("report.html") with page.js and the data in place of its two placeholders.
+/// Throws Error.
+std::string filled_page(const std::filesystem::path& root, const std::string& name, const Json& data);
+
 /// Returns the page for a report with the fields step, question, own_files, checks (name, state, seconds,
 /// lines), earlier, verdict, verdict_lines, flip_mean, flip_max, tiles_over_4, mistake (title, confidence,
 /// shows, why, fix, picture; or null), next, settings and pictures (mine, reference, map). Pictures are paths
