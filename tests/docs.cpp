@@ -265,4 +265,6 @@ TEST_CASE("Dead links, pictures, headings and paths are found with their lines")
     CHECK(dead[0] == "docs/a.md:1: p.png does not exist");
     CHECK(dead[1] == "docs/a.md:2: b.md#gone does not exist");
     CHECK(dead[2] == "docs/a.md:7: `docs/c.md` does not exist");
+    const std::string html = "<a href=\"gone.md\"><img src=\"gone.png\" alt=\"\"></a> <a href=\"b.md\">\n";
+    CHECK(dead_links(root, html, "docs/a.md").size() == 2);
 }

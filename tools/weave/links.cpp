@@ -9,6 +9,7 @@
 #include <array>
 #include <cctype>
 #include <set>
+#include <utility>
 
 namespace rt::weave {
 
@@ -95,9 +96,10 @@ std::vector<std::string> dead_links(const fs::path& root, const std::string& pag
     std::vector<std::string> dead;
     outside_of_code(page, [&](const std::string& line, std::size_t number) {
         const std::string where = path + ":" + std::to_string(number) + ": ";
-        for (const std::string& target : between(line, "](", ')'))
-            if (!target.starts_with("http") && !is_there(root / path, page, target))
-                dead.push_back(where + target + " does not exist");
+        for (const auto& [open, close] : {std::pair("](", ')'), {"href=\"", '"'}, {"src=\"", '"'}})
+            for (const std::string& target : between(line, open, close))
+                if (!target.starts_with("http") && !is_there(root / path, page, target))
+                    dead.push_back(where + target + " does not exist");
         std::error_code ignored;
         for (const std::string& code : code_in(line))
             if (is_project_path(code) && !fs::exists(root / code, ignored))
