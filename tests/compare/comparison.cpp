@@ -204,7 +204,7 @@ TEST_CASE("the JSON contains what programs need") {
                 "\"flip\":{\"mean\":0.",
                 "\"rmse\":0.", "\"tiles_over_4\":null", "\"nearest\":[]");
     CHECK_ERROR(to_json(compared(right, right)), "\"verdict\":\"same\",\"explanation\":\"\"",
-                "\"flip\":{\"mean\":0.0,\"max\":0.0},\"rmse\":0.0,");
+                "\"flip\":{\"mean\":0.0,\"max\":0.0},\"rmse\":0.0,\"mean_change\":0.0,");
     CHECK_ERROR(to_json(compare_images(noisy_input(NoisyPicture(right, 1), NoisyPicture(right, 2)))),
                 "\"verdict\":\"noise\"", "\"tiles_over_4\":0,");
     const auto brighter = [](vec3 c) { return c + 0.25f; };

@@ -166,6 +166,7 @@ Comparison compare_images(const ComparisonInput& q) {
     Comparison comparison;
     comparison.flip = flip(pair.reference, pair.test);
     comparison.rmse = root_mean_square(pair.test, pair.reference);
+    comparison.mean_change = difference.mean_change;
     if (q.variances.available())
         comparison.tiles =
             compare_tiles(q.test.image, q.reference.image, q.variances.test, q.variances.reference);
@@ -185,6 +186,7 @@ std::string to_json(const Comparison& comparison) {
                        {"explanation", comparison.explanation},
                        {"flip", {{"mean", comparison.flip.mean}, {"max", comparison.flip.max}}},
                        {"rmse", comparison.rmse},
+                       {"mean_change", comparison.mean_change},
                        {"tiles_over_4", comparison.tiles ? Json(comparison.tiles->outliers) : Json()},
                        {"where", comparison.location.words},
                        {"nearest", comparison.match.names},

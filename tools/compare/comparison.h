@@ -28,6 +28,7 @@ struct Comparison {
     std::string explanation;             ///< as explain() returns it
     FlipMap flip;                        ///< differences within the rounding of a PNG do not count
     double rmse = 0;                     ///< of linear values
+    double mean_change = 0;              ///< relative, of the sum of all pixels
     std::optional<TileDifference> tiles; ///< set if variances were given
     Location location;
     std::optional<NotANumber> not_a_number; ///< set if there are such pixels
@@ -44,8 +45,8 @@ struct ComparisonInput {
 /// Compares two pictures. Throws Error if these or a known picture differ in size or number of channels.
 Comparison compare_images(const ComparisonInput& input);
 
-/// Returns one line of JSON: {"verdict", "explanation", "flip": {"mean", "max"}, "rmse", "tiles_over_4",
-/// "where", "nearest", "words"}. tiles_over_4 is null without variances, rmse is null if a pixel is NaN.
+/// Returns one line of JSON: {"verdict", "explanation", "flip": {"mean", "max"}, "rmse", "mean_change",
+/// "tiles_over_4", "where", "nearest", "words"}. tiles_over_4 is null without variances, rmse is null if a pixel is NaN.
 std::string to_json(const Comparison& comparison);
 
 /// Returns an error map in linear RGB: FLIP from black (no difference) to pale yellow (1); for noisy pictures
