@@ -17,8 +17,6 @@
 namespace rt {
 namespace {
 
-constexpr std::uintmax_t max_file_bytes = std::uintmax_t(1) << 30; // stb counts bytes in an int
-
 std::string lower_ending(const std::string& path) {
     std::string ending = std::filesystem::path(path).extension().string();
     std::transform(ending.begin(), ending.end(), ending.begin(),
