@@ -44,12 +44,13 @@ SignatureMatch match_of(const Signature& known, const Signature& seen) {
     const std::set<std::string> here = checks_of(seen), there = checks_of(known);
     const auto checks =
         std::size_t(std::ranges::count_if(here, [&](const auto& check) { return there.contains(check); }));
-    std::size_t shared = 0, agreeing = 0;
+    std::size_t shared = 0, agreeing = 0, equal = 0;
     for (const FailedAssertion& assertion : seen.assertions)
         for (const FailedAssertion& other : known.assertions)
             if (assertion.check == other.check && assertion.expression == other.expression) {
                 ++shared;
                 agreeing += agree(assertion, other);
+                equal += assertion == other;
             }
     const std::size_t all_seen = seen.assertions.size(), all_known = known.assertions.size();
     return {.id = known.id,
@@ -58,7 +59,7 @@ SignatureMatch match_of(const Signature& known, const Signature& seen) {
                      0.4 * overlap(agreeing, all_seen, all_known),
             .may_be_named = agreeing == shared && double(agreeing) >= nearly * double(all_seen) &&
                             2 * agreeing >= all_known,
-            .is_equal = known.assertions == seen.assertions};
+            .is_equal = equal == all_seen && equal == all_known};
 }
 
 void read_event(const Words& parts, std::vector<CheckResult>& results) {
