@@ -257,7 +257,7 @@ bool is_taken_for_another(const Trial& trial, const std::vector<Signature>& know
     std::erase_if(others, [&](const Signature& signature) {
         return signature.id == trial.change.id || !contains(rivals, signature.id);
     });
-    return !diagnose(others, {trial.outcome.results}).ids.empty();
+    return !diagnose(others, trial.outcome.results).ids.empty();
 }
 
 void judge_name(const Trial& trial, const std::vector<Signature>& known, Count& count, StepProof& proof) {
