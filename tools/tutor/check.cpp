@@ -110,7 +110,7 @@ std::optional<fs::path> expected_folder(const Session& session, const Headers& c
         throw Error("the reference with these gaps does not compile: " + built.complaint);
     RenderJob job{.root = session.project.root,
                   .step = session.step(),
-                  .program = scratch.path / "program",
+                  .program = scratch.path / made_program,
                   .references = {},
                   .out = scratch.path / "picture",
                   .samples = Samples::few};
@@ -128,7 +128,7 @@ void render_mine(const Session& session, Samples samples) {
     const Headers cut = cut_headers(session.project, session.step());
     RenderJob job{.root = session.project.root,
                   .step = session.step(),
-                  .program = session.findings.scratch / "program",
+                  .program = session.findings.scratch / made_program,
                   .references = reference_folder(session.project.root),
                   .out = session.findings.scratch / "picture",
                   .samples = samples,

@@ -177,7 +177,7 @@ int run_scene(const Project& project, const std::string& step, const std::string
     make_folder(pictures);
     const TemporaryFolder folder(project.root / "build");
     build_with_scene(project, step, display_path(scene_path(project, name)), text, folder.path);
-    Words command{text_of(folder.path / "program")};
+    Words command{text_of(folder.path / made_program)};
     append(command, flags);
     if (!sets(flags, "--out")) append(command, {"--out", text_of(pictures / path_of(name))});
     append(command, own_tree_flags(project, step, flags));

@@ -54,7 +54,7 @@ bool render_picture(const Toolchain& tools, const Change& change, const fs::path
     if (!built.compiled) throw Error(change.step + " does not compile: " + built.complaint);
     fs::create_directories(picture.parent_path());
     fs::remove(picture);
-    Words command{text_of(scratch.path / "program"), "--quiet", "--threads", "1", "--out", text_of(picture)};
+    Words command{text_of(scratch.path / made_program), "--quiet", "--threads", "1", "--out", text_of(picture)};
     append(command, options);
     const Words flags = gallery_flags(tools.root, change.step);
     for (std::size_t i = 0; i < flags.size(); i += 2)
@@ -77,7 +77,7 @@ std::string picture_complaint(const Toolchain& tools, const Change& change, cons
         const Outcome built = build_step(tools, change, scratch.path);
         if (!built.compiled) return "does not compile: " + built.complaint;
         fs::create_directories(folder);
-        job.program = scratch.path / "program";
+        job.program = scratch.path / made_program;
         if (const auto reason = render(job)) return *reason;
         write_file(text_of(stamp), key);
     }

@@ -114,7 +114,7 @@ Outcome build_program(const Toolchain& tools, const Change& change, const BuildP
     link.push_back(text_of(object));
     if (plan.is_check) link.push_back(tools.test_main);
     append(link, libraries_for(tools, step_of(plan.source)));
-    append(link, {"-pthread", "-o", text_of(folder / "program")});
+    append(link, {"-pthread", "-o", text_of(folder / made_program)});
     return compile(tools, folder, link);
 }
 
@@ -255,7 +255,7 @@ Outcome run_source(const Toolchain& tools, const Change& change, const std::stri
     const TemporaryFolder scratch(tools.work);
     if (Outcome built = build_program(tools, change, plan_for(tools, source), scratch.path); !built.compiled)
         return built;
-    const fs::path program = scratch.path / "program", log = scratch.path / "checks.log";
+    const fs::path program = scratch.path / made_program, log = scratch.path / "checks.log";
     if (tools.strictness == Strictness::learner) {
         Outcome outcome = run_patiently(program, log);
         const bool plain = std::ranges::none_of(outcome.results, [](const CheckResult& result) {
@@ -353,7 +353,7 @@ std::string run_sanitized(const Toolchain& tools, const Change& change, const st
     const fs::path log = scratch.path / "checks.log";
     set_environment("ASAN_OPTIONS", "detect_leaks=0:handle_abort=1:allocator_may_return_null=1");
     set_environment("UBSAN_OPTIONS", "halt_on_error=1:print_stacktrace=1");
-    Words command{text_of(scratch.path / "program")};
+    Words command{text_of(scratch.path / made_program)};
     append(command, arguments);
     run_process(command, {.log = log, .cpu_seconds = 30});
     return read_file(text_of(log));
