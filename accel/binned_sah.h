@@ -21,13 +21,13 @@ struct BinMapping {
     BinMapping(const Bounds4& centroid_bounds, int bin_count)
         : min(centroid_bounds.min), last_bin(bin_count - 1) {
         const Float4 size = centroid_bounds.max - centroid_bounds.min;
-        scale = size > 0 ? (float(bin_count) * (1 - 0x1p-20f)) / size : Float4{};
+        scale = select(size > 0, (float(bin_count) * (1 - 0x1p-20f)) / size, Float4{});
     }
     /// Returns the bin on each axis; the comparisons also catch NaN, in infinite bounds.
     Int4 operator()(Float4 centroid) const {
-        const Int4 bin = __builtin_convertvector((centroid - min) * scale, Int4);
+        const Int4 bin = truncated((centroid - min) * scale);
         const Int4 last = Int4{} + last_bin;
-        return bin < 0 ? Int4{} : bin > last ? last : bin;
+        return select(bin < 0, Int4{}, select(bin > last, last, bin));
     }
 };
 
@@ -140,10 +140,10 @@ struct Partitioner {
             to[goes_left ? left : right] = ref;
             left += goes_left;
             const Int4 mask = Int4{} - int(goes_left);
-            left_bounds.min = min(mask ? centroid : left_bounds.min, left_bounds.min);
-            left_bounds.max = max(mask ? centroid : left_bounds.max, left_bounds.max);
-            right_bounds.min = min(mask ? right_bounds.min : centroid, right_bounds.min);
-            right_bounds.max = max(mask ? right_bounds.max : centroid, right_bounds.max);
+            left_bounds.min = min(select(mask, centroid, left_bounds.min), left_bounds.min);
+            left_bounds.max = max(select(mask, centroid, left_bounds.max), left_bounds.max);
+            right_bounds.min = min(select(mask, right_bounds.min, centroid), right_bounds.min);
+            right_bounds.max = max(select(mask, right_bounds.max, centroid), right_bounds.max);
         }
         return {left_bounds, right_bounds};
     }

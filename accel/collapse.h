@@ -58,10 +58,10 @@ inline CollapseCost collapse_cost(BinaryNode& node, const CollapseCost& left, co
     for (int slots = 1; slots < simd_width; ++slots) { // for the left child
         const FloatN sum = left.cost[slots - 1] + shift_lanes(right_cost, slots);
         const IntN better = sum < cost;
-        cost = better ? sum : cost;
-        nodes = better ? left.nodes[slots - 1] + shift_lanes(right_nodes, slots) : nodes;
-        leaves = better ? left.leaves[slots - 1] + shift_lanes(right_leaves, slots) : leaves;
-        left_slots = better ? IntN{} + slots : left_slots;
+        cost = select(better, sum, cost);
+        nodes = select(better, left.nodes[slots - 1] + shift_lanes(right_nodes, slots), nodes);
+        leaves = select(better, left.leaves[slots - 1] + shift_lanes(right_leaves, slots), leaves);
+        left_slots = select(better, IntN{} + slots, left_slots);
     }
     constexpr int all = simd_width - 1; // the lane of all slots
     CollapseCost result = leaf_cost(node);

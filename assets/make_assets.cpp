@@ -7,6 +7,7 @@
 #include "assets/test_card.h"
 #include "common/util/report_error.h"
 #include "common/util/version.h"
+#include "common/util/paths.h"
 
 #include <CLI/CLI.hpp>
 
@@ -17,35 +18,40 @@ namespace {
 
 namespace fs = std::filesystem;
 
+fs::path with_ending(fs::path path, const char* ending) {
+    return path.replace_extension(ending);
+}
+
 void make_teapot(const fs::path& obj, int density) {
-    ObjWriter writer(obj.string());
+    ObjWriter writer(text_of(obj));
     for (const Patch& patch : teapot_patches()) writer.add(tessellate(patch, density));
     writer.finish();
-    write_mtl(fs::path(obj).replace_extension(".mtl").string(), "");
+    write_mtl(text_of(with_ending(obj, ".mtl")), "");
 }
 
 void make_animal(const Animal& animal, const fs::path& obj, int triangles) {
     Mesh mesh = polygonise(animal.shape, animal.bounds, triangles);
     constexpr int texture_size = 1024;
     unwrap(mesh, texture_size);
-    ObjWriter writer(obj.string());
+    ObjWriter writer(text_of(obj));
     writer.add(mesh);
     writer.finish();
-    const fs::path texture = fs::path(obj).replace_extension(".png");
-    write_png(texture.string(), bake(mesh, texture_size, animal.ground, animal.hide));
-    write_mtl(fs::path(obj).replace_extension(".mtl").string(), texture.filename().string());
+    const fs::path texture = with_ending(obj, ".png");
+    write_png(text_of(texture), bake(mesh, texture_size, animal.ground, animal.hide));
+    write_mtl(text_of(with_ending(obj, ".mtl")), text_of(texture.filename()));
 }
 
 void make_all(const fs::path& folder) {
     make_teapot(folder / "teapot.obj", 6);
     make_animal(cow::animal, folder / "cow.obj", 6000);
     make_animal(cat::animal, folder / "cat.obj", 6000);
-    write_png((folder / "test_card.png").string(), test_card());
-    write_png((folder / "globe.png").string(), globe());
+    write_png(text_of(folder / "test_card.png"), test_card());
+    write_png(text_of(folder / "globe.png"), globe());
 }
 
 int run(int argc, char** argv) {
     CLI::App app("Makes the models and textures of the Raysteps scenes.");
+    app.allow_windows_style_options(false); // a path may begin with a slash
     app.require_subcommand(1);
     app.set_version_flag("--version", version());
     std::string out;
@@ -73,10 +79,10 @@ int run(int argc, char** argv) {
 
     try {
         app.parse(argc, argv);
-        if (all) make_all(out);
-        if (teapot) make_teapot(out, density);
-        if (cow) make_animal(cow::animal, out, triangles);
-        if (cat) make_animal(cat::animal, out, triangles);
+        if (all) make_all(path_of(out));
+        if (teapot) make_teapot(path_of(out), density);
+        if (cow) make_animal(cow::animal, path_of(out), triangles);
+        if (cat) make_animal(cat::animal, path_of(out), triangles);
     } catch (const CLI::Success& help) {
         return app.exit(help);
     } catch (const std::exception& problem) {

@@ -4,6 +4,8 @@
 #include "assets/mesh.h"
 #include "assets/output_file.h"
 
+#include "common/util/paths.h"
+
 #include <cmath>
 #include <filesystem>
 #include <string>
@@ -26,7 +28,7 @@ class ObjWriter {
   public:
     /// `model.obj` refers to its only material in `model.mtl` beside it.
     explicit ObjWriter(const std::string& path) : file(path) {
-        const std::string name = std::filesystem::path(path).stem().string();
+        const std::string name = text_of(path_of(path).stem());
         file.write("# " + name + ", made by make_assets\nmtllib " + name + ".mtl\nusemtl " + name + "\n");
     }
 
@@ -66,7 +68,7 @@ class ObjWriter {
 
 /// Writes a file with one material: white with the texture `texture`, or plain pale clay if that is empty.
 inline void write_mtl(const std::string& path, const std::string& texture) {
-    const std::string name = std::filesystem::path(path).stem().string();
+    const std::string name = text_of(path_of(path).stem());
     OutputFile file(path);
     file.write("# " + name + ", made by make_assets\nnewmtl " + name + "\n");
     file.write(texture.empty() ? "Kd 0.8 0.78 0.74\n" : "Kd 1 1 1\nmap_Kd " + texture + "\n");

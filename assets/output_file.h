@@ -2,10 +2,13 @@
 #pragma once
 
 #include "common/util/error.h"
+#include "common/util/paths.h"
 
 #include <cstdio>
+#include <filesystem>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 namespace rt::assets {
 
@@ -34,7 +37,10 @@ class OutputFile {
     void finish() {
         const bool closed = std::fclose(file) == 0;
         file = nullptr;
-        if (!closed || std::rename(temporary.c_str(), path.c_str()) != 0) {
+        std::error_code failure;
+        if (closed)
+            std::filesystem::rename(path_of(temporary), path_of(path), failure); // replaces an old file
+        if (!closed || failure) {
             std::remove(temporary.c_str());
             throw Error("cannot write '" + path + "': is the disk full, or the name taken by a folder?");
         }

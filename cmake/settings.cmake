@@ -30,6 +30,19 @@ rt_compile_option(rt_settings -ffp-contract=off)
 rt_compile_option(rt_settings -fno-math-errno)
 rt_compile_option(rt_settings -fno-trapping-math)
 
+# On Windows names of files are UTF-8, and programs run without the compiler's libraries beside them.
+set(windows ${PROJECT_SOURCE_DIR}/cmake/windows)
+if(MSVC)
+    message(FATAL_ERROR "cl and clang-cl take other options; use clang++ (CXX=clang++, or the preset windows): docs/setup.md")
+elseif(MINGW)
+    execute_process(COMMAND ${CMAKE_RC_COMPILER} -I ${windows} ${windows}/utf8.rc ${PROJECT_BINARY_DIR}/utf8.obj
+                    COMMAND_ERROR_IS_FATAL ANY)
+    target_link_options(rt_settings INTERFACE -static ${PROJECT_BINARY_DIR}/utf8.obj)
+elseif(WIN32)
+    target_compile_definitions(rt_settings INTERFACE _CRT_SECURE_NO_WARNINGS)
+    target_link_options(rt_settings INTERFACE -Wl,/manifest:embed -Wl,/manifestinput:${windows}/utf8.manifest)
+endif()
+
 if(RAYSTEPS_SANITIZE)
     target_compile_options(rt_settings INTERFACE
         -fsanitize=${RAYSTEPS_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
@@ -40,6 +53,10 @@ add_library(rt_native INTERFACE)
 add_library(rt::native ALIAS rt_native)
 if(RAYSTEPS_NATIVE)
     rt_compile_option(rt_native -march=native)
+    if(MINGW AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+        # Its stack is aligned to 16 bytes, and GCC moves vectors of 32 as if it were aligned to 32 (GCC's bug 54412).
+        rt_compile_option(rt_native -Wa,-muse-unaligned-vector-move)
+    endif()
 endif()
 
 # The steps' programs consist of small functions in headers, and a path calls dozens of them. GCC's default inlining

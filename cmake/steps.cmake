@@ -70,6 +70,7 @@ function(add_checks target prefix labels)
     if(NOT TARGET test_main) # compiles doctest's own code once
         add_library(test_main OBJECT ${PROJECT_SOURCE_DIR}/tests/main.cpp)
         target_link_libraries(test_main PRIVATE rt::settings rt::native rt::doctest)
+        target_include_directories(test_main PRIVATE ${PROJECT_SOURCE_DIR})
         parse_ahead(test_pch tests/pch.h rt::doctest)
         target_compile_options(test_pch PRIVATE ${quickly_compiled})
     endif()
@@ -89,13 +90,26 @@ function(add_checks target prefix labels)
     endif()
     set(script ${PROJECT_BINARY_DIR}/${target}_tests.cmake)
     add_custom_command(TARGET ${target} POST_BUILD BYPRODUCTS ${script} VERBATIM
-        COMMAND ${CMAKE_COMMAND} -D EXECUTABLE=$<TARGET_FILE:${target}> -D PREFIX=${prefix} -D "LABELS=${labels}"
+        COMMAND ${CMAKE_COMMAND} -D EXECUTABLE=$<TARGET_FILE:${target}> -D "EMULATOR=${CMAKE_CROSSCOMPILING_EMULATOR}" -D PREFIX=${prefix} -D "LABELS=${labels}"
                 -D TIMEOUT=${timeout} -D OUTPUT=${script} -P ${PROJECT_SOURCE_DIR}/cmake/discover_tests.cmake)
     if(NOT EXISTS ${script}) # until it is built
         file(WRITE ${script} "add_test(\"${prefix}: ${target} is not built\" ${target})\n")
     endif()
     set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY TEST_INCLUDE_FILES ${script})
     add_dependencies(checks ${target})
+endfunction()
+
+# Declares a check that is a script for bash; it ends with 77 if it cannot run on a machine. Windows has no bash that
+# knows its paths, and a foreign program is no command for one: there the check is skipped.
+function(add_script_check name labels timeout script)
+    if(WIN32 OR CMAKE_CROSSCOMPILING)
+        add_test(NAME "${name}" COMMAND ${CMAKE_COMMAND} -E echo "[skipped] ${script} needs bash")
+    else()
+        add_test(NAME "${name}" COMMAND bash ${PROJECT_SOURCE_DIR}/${script} ${ARGN}
+                 WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+    endif()
+    set_tests_properties("${name}" PROPERTIES LABELS "${labels}" TIMEOUT ${timeout} SKIP_RETURN_CODE 77
+                         SKIP_REGULAR_EXPRESSION "\\[skipped\\]")
 endfunction()
 
 # Declares the checks in tests/NAME, with further sources: the executable test_NAME, and the target checks_NAME,
@@ -151,12 +165,13 @@ function(add_step name)
     if(RAYSTEPS_TESTS AND TARGET compare)
         add_dependencies(checks_${name} compare)
         set(test "${name}: render agrees with its reference")
-        add_test(NAME "${test}" COMMAND bash ${PROJECT_SOURCE_DIR}/tests/reference.sh ${name}
-            $<TARGET_FILE:${name}> $<TARGET_FILE:compare> ${PROJECT_SOURCE_DIR}/assets/reference
-            ${PROJECT_BINARY_DIR}/tested)
+        add_test(NAME "${test}" COMMAND ${CMAKE_COMMAND} -D NAME=${name} -D PROGRAM=$<TARGET_FILE:${name}>
+            -D COMPARE=$<TARGET_FILE:compare> -D "EMULATOR=${CMAKE_CROSSCOMPILING_EMULATOR}"
+            -D REFERENCES=${PROJECT_SOURCE_DIR}/assets/reference -D OUT=${PROJECT_BINARY_DIR}/tested
+            -P ${PROJECT_SOURCE_DIR}/cmake/reference.cmake)
         # The render uses every core: PROCESSORS keeps ctest -j from running other tests beside it.
         cmake_host_system_information(RESULT cores QUERY NUMBER_OF_LOGICAL_CORES)
-        set_tests_properties("${test}" PROPERTIES LABELS "${number};${name};reference" SKIP_RETURN_CODE 77
-                             TIMEOUT 300 PROCESSORS ${cores})
+        set_tests_properties("${test}" PROPERTIES LABELS "${number};${name};reference"
+                             SKIP_REGULAR_EXPRESSION "\\[skipped\\]" TIMEOUT 300 PROCESSORS ${cores})
     endif()
 endfunction()

@@ -124,7 +124,7 @@ read_only_folder() {
 }
 
 refused() { # $1: a part of the reason
-    [ "$code" = 2 ] && [ ! -s out ] && [ "$(wc -l <err)" = 1 ] && grep -q "$1" err
+    [ "$code" = 2 ] && [ ! -s out ] && [ "$(wc -l <err)" -eq 1 ] && grep -q "$1" err
 }
 
 long_names() {

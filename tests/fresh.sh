@@ -238,7 +238,7 @@ refuses() { # $1: a part of the line; the rest: the arguments
     shift
     said=$(cd "$here" && PATH=$stubs:$PATH ./learn "$@" 2>&1)
     code=$?
-    if [ $code != 2 ] || [ "$(printf '%s\n' "$said" | wc -l)" != 1 ] || [[ $said != *"$part"* ]]; then
+    if [ $code != 2 ] || [ "$(printf '%s\n' "$said" | wc -l)" -ne 1 ] || [[ $said != *"$part"* ]]; then
         printf '%s\n' "WRONG: in $here, ./learn $*: expected exit 2 and one line with '$part', got exit $code and: $said"
         bad=1
     fi

@@ -103,10 +103,34 @@ guard_printable() {
         report "text goes to stderr, and names of files to stdout, through printable() of common/util/report_error.h"
 }
 
+# 7: the system is asked in one place: system_posix.cpp and system_windows.cpp, of common and of the tutor.
+guard_system() {
+    local headers='unistd|sys/[a-z_]*|termios|poll|fcntl|sched|malloc|dlfcn|pthread|spawn|windows|shellapi|io|conio|direct|process'
+    local room
+    for room in $rooms; do
+        includes "$room"
+    done | grep -E ":<($headers)\.h>$" |
+        grep -vE '^((common/util|tools/tutor)/system_(posix|windows)\.cpp|tests/posix\.h):' |
+        report "only common/util/system_*.cpp, tools/tutor/system_*.cpp and tests/posix.h include the system's headers"
+}
+
+# 8: the text of a path is UTF-8 on every system: through path_of() and text_of() of common/util/paths.h. The compiler
+# also turns text into a path unasked; that is found only where it is written out.
+guard_paths() {
+    local existing=() room
+    for room in $rooms; do
+        [ -d "$room" ] && existing+=("$room")
+    done
+    {
+        grep -rnE --include='*.h' --include='*.cpp' '\.(generic_)?string\(\)' "${existing[@]}"
+        grep -rnE --include='*.h' --include='*.cpp' '(fs|filesystem)::path[({][^")}]' "${existing[@]}" | grep -v '^tests/'
+    } | grep -v '^common/util/paths.h:' | report "text becomes a path by path_of(), and a path text by text_of()"
+}
+
 check() { # $1: the folder
     cd "$1" || exit 2
     local found
-    found=$(guard_order; guard_common; guard_accel; guard_rooms; guard_lessons; guard_pure; guard_rooted; guard_opening; guard_printable)
+    found=$(guard_order; guard_common; guard_accel; guard_rooms; guard_lessons; guard_pure; guard_rooted; guard_opening; guard_printable; guard_system; guard_paths)
     [ -z "$found" ] && return 0
     printf '%s\n' "$found"
     return 1
@@ -178,6 +202,13 @@ self_test() {
     plant "through printable()" tools/loud.cpp "// A planted file.\nvoid f() { std::cerr << \"x\"; }\n"
     plant "through printable()" common/loud.cpp "// A planted file.\nvoid f() { std::cout << \"wrote \" << path; }\n"
     plant "through printable()" assets/loud.cpp "// A planted file.\nvoid f() { std::fprintf(stderr, text); }\n"
+    for header in unistd.h sys/wait.h termios.h windows.h io.h; do
+        plant "include the system's headers" tools/tutor/own.cpp "// A planted file.\n#include <$header>\n"
+    done
+    plant "include the system's headers" tests/own.cpp "// A planted file.\n#include <poll.h>\n"
+    plant "include the system's headers" common/util/own.cpp "// A planted file.\n# include <fcntl.h>\n"
+    plant "text becomes a path by path_of()" common/own.cpp "// A planted file.\nauto f(auto p) { return p.string(); }\n"
+    plant "text becomes a path by path_of()" tools/own.cpp "// A planted file.\nauto p = std::filesystem::path(text);\n"
     [ "$missed" = 0 ]
 }
 

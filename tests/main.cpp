@@ -5,9 +5,11 @@
 //     fail  file:line  expression  expanded   an assertion failed
 //     note  text                              context or explanation of the failure before it
 //     end   name  ok|failed|skipped  seconds  the test case is over
-// --seconds-per-check=5 ends the process if a test case uses more processor time (on POSIX systems).
+// --seconds-per-check=5 ends the process if a test case uses more processor time.
 #define DOCTEST_CONFIG_IMPLEMENT
 #include <doctest/doctest.h>
+
+#include "common/util/system.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -16,26 +18,9 @@
 #include <string>
 #include <string_view>
 
-#if __has_include(<sys/resource.h>)
-#include <sys/resource.h>
-#endif
-
 namespace {
 
 int seconds_per_check = 0; ///< 0: no limit
-
-/// Sets the limit for the test case that begins now.
-void limit_processor_time() {
-#if __has_include(<sys/resource.h>)
-    if (seconds_per_check == 0) return;
-    rusage used{};
-    getrusage(RUSAGE_SELF, &used);
-    rlimit limit{};
-    getrlimit(RLIMIT_CPU, &limit);
-    limit.rlim_cur = rlim_t(used.ru_utime.tv_sec + used.ru_stime.tv_sec + 1 + seconds_per_check);
-    setrlimit(RLIMIT_CPU, &limit);
-#endif
-}
 
 /// Replaces line breaks and tabs by spaces, so that a reader can split lines and fields.
 std::string one_line(std::string text) {
@@ -56,7 +41,7 @@ struct Lines : doctest::IReporter {
     void test_case_start(const doctest::TestCaseData& test) override {
         name = one_line(test.m_name);
         skipped = false;
-        limit_processor_time();
+        if (seconds_per_check > 0) rt::limit_processor_time(seconds_per_check);
         out << "case\t" << name << std::endl;
     }
     void test_case_end(const doctest::CurrentTestCaseStats& stats) override {

@@ -35,7 +35,7 @@ refuses() { # $1: a part of the line; the rest: the arguments
     local part=$1
     shift
     run "$@"
-    if [ $code != 2 ] || [ -n "$said" ] || [ "$(wc -l <"$folder/erred")" != 1 ] || [[ $erred != *"$part"* ]]; then
+    if [ $code != 2 ] || [ -n "$said" ] || [ "$(wc -l <"$folder/erred")" -ne 1 ] || [[ $erred != *"$part"* ]]; then
         wrong "$*: expected exit 2 and one line with '$part', got exit $code, '$said' and: $erred"
     fi
 }

@@ -6,7 +6,8 @@
 #include "tools/bench/numbers.h"
 
 #include <atomic>
-#include <malloc.h>
+#include <cstdlib>
+#include <cstring>
 #include <new>
 #include <span>
 
@@ -145,15 +146,20 @@ using Embree = Ours; // takes the place of Embree where there is none, and is ne
 
 } // namespace rt::bench
 
-// The trees are in vectors of aligned memory.
+// The trees are in vectors of aligned memory. The size of a block stands before it.
 void* operator new(std::size_t size, std::align_val_t alignment) {
     const auto unit = std::size_t(alignment);
-    void* const memory = std::aligned_alloc(unit, (size + unit - 1) / unit * unit);
-    if (!memory) throw std::bad_alloc();
-    rt::bench::heap.add(std::int64_t(malloc_usable_size(memory)));
-    return memory;
+    char* const block = static_cast<char*>(std::aligned_alloc(unit, unit + (size + unit - 1) / unit * unit));
+    if (!block) throw std::bad_alloc();
+    std::memcpy(block, &size, sizeof size);
+    rt::bench::heap.add(std::int64_t(size));
+    return block + unit;
 }
-void operator delete(void* memory, std::align_val_t) noexcept {
-    rt::bench::heap.add(-std::int64_t(malloc_usable_size(memory)));
-    std::free(memory);
+void operator delete(void* memory, std::align_val_t alignment) noexcept {
+    if (!memory) return;
+    char* const block = static_cast<char*>(memory) - std::size_t(alignment);
+    std::size_t size = 0;
+    std::memcpy(&size, block, sizeof size);
+    rt::bench::heap.add(-std::int64_t(size));
+    std::free(block);
 }

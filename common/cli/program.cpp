@@ -8,6 +8,8 @@
 #include "common/util/file_bytes.h"
 #include "common/image/image_file.h"
 #include "common/util/parallel.h"
+#include "common/util/system.h"
+#include "common/util/paths.h"
 #include "common/render/progress.h"
 
 #include <algorithm>
@@ -17,7 +19,6 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <iostream>
 #include <new>
@@ -25,13 +26,6 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
-
-#if defined(_WIN32)
-#include <io.h>
-#else
-#include <fcntl.h>
-#include <unistd.h>
-#endif
 
 namespace rt {
 
@@ -49,12 +43,7 @@ std::atomic<const char*> stop_message = ""; ///< what Ctrl-C prints on stderr, i
 // sees which signal it was.
 extern "C" void stop(int number) {
     discard_unfinished_file();
-    const char* const words = stop_message.load();
-#if defined(_WIN32)
-    _write(2, words, unsigned(std::strlen(words)));
-#else
-    [[maybe_unused]] const auto written = write(2, words, std::strlen(words));
-#endif
+    print_in_handler(stop_message.load());
     std::signal(number, SIG_DFL);
     std::raise(number); // on POSIX it is delivered when this function returns
 }
@@ -65,7 +54,7 @@ extern "C" void stop(int number) {
 class StopHandler {
   public:
     explicit StopHandler(const std::string& name)
-        : start(stderr_is_terminal() ? "\n" : ""), before(start + name + ": stopped: nothing was written\n"),
+        : start(is_terminal(2) ? "\n" : ""), before(start + name + ": stopped: nothing was written\n"),
           during(start + name + ": stopped while writing: each file is either complete or as it was\n") {
         stop_message = before.c_str();
         for (std::size_t i = 0; i < signals.size(); ++i) old[i] = std::signal(signals[i], stop);
@@ -91,21 +80,6 @@ class StopHandler {
     const std::string before, during;
 };
 
-/// Opens /dev/null for a closed stdin, stdout or stderr. Otherwise the next file opened would get that
-/// descriptor, and text for the terminal would end up in an image. Also ignores signals that would kill the
-/// program when a write fails; the write then reports an error.
-void reopen_closed_streams() {
-#if !defined(_WIN32)
-    int file = open("/dev/null", O_RDWR);
-    while (file >= 0 && file <= 2) file = open("/dev/null", O_RDWR);
-    if (file > 2) close(file);
-#endif
-#if defined(SIGXFSZ) && defined(SIGPIPE)
-    std::signal(SIGXFSZ, SIG_IGN); // `ulimit -f` then behaves like a full disk
-    std::signal(SIGPIPE, SIG_IGN); // `| head -1` must not lose the image
-#endif
-}
-
 // ---- the files to write ----
 
 struct Outputs {
@@ -115,7 +89,7 @@ struct Outputs {
 
 /// Returns the file name's extension in lower case, with its dot.
 std::string ending(const std::string& path) {
-    std::string letters = fs::path(path).extension().string();
+    std::string letters = text_of(path_of(path).extension());
     for (char& c : letters)
         if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
     return letters;
@@ -123,20 +97,20 @@ std::string ending(const std::string& path) {
 
 std::vector<std::string> picture_files(const std::string& out, const std::string& program) {
     std::error_code ignored;
-    const fs::path last = fs::path(out).filename();
-    if (last.empty() || last == "." || last == ".." || fs::is_directory(out, ignored))
+    const fs::path last = path_of(out).filename();
+    if (last.empty() || last == "." || last == ".." || fs::is_directory(path_of(out), ignored))
         throw Error("--out " + out + " is a folder: name a file in it, as in " +
-                    (fs::path(out) / program).string());
+                    text_of(path_of(out) / program));
     if (ending(out) == ".png" || ending(out) == ".hdr") return {out};
     if (!ending(out).empty())
-        throw Error("--out " + out + " ends in " + fs::path(out).extension().string() +
+        throw Error("--out " + out + " ends in " + text_of(path_of(out).extension()) +
                     ": a picture is NAME.png, NAME.hdr, or NAME alone for both");
     return {out + ".png", out + ".hdr"};
 }
 
 bool same_file(const std::string& a, const std::string& b) {
     std::error_code ignored;
-    return absolute_path(a) == absolute_path(b) || fs::equivalent(a, b, ignored);
+    return absolute_path(a) == absolute_path(b) || fs::equivalent(path_of(a), path_of(b), ignored);
 }
 
 /// Returns the files to write, after checking that all of them can be written. Throws Error otherwise.
@@ -230,12 +204,12 @@ std::string explained(const std::exception& problem) {
 std::string saved_elsewhere(const std::string& program, const std::string& path, const Image& image) {
     std::error_code ignored;
     const char* const home = std::getenv("HOME");
-    for (const fs::path& folder : {fs::temp_directory_path(ignored), fs::path(home ? home : "")}) {
-        const std::string place = (folder / (program + "-" + random_digits() + ending(path))).string();
+    for (const fs::path& folder : {fs::temp_directory_path(ignored), path_of(home ? home : "")}) {
+        const std::string place = text_of(folder / (program + "-" + random_digits() + ending(path)));
         try {
             if (!folder.is_absolute()) continue;
             write_image(place, image);
-            fs::permissions(place, fs::perms::owner_read | fs::perms::owner_write,
+            fs::permissions(path_of(place), fs::perms::owner_read | fs::perms::owner_write,
                             ignored); // other users can read that folder
             return place;
         } catch (const std::exception&) { // try the next folder
@@ -299,7 +273,7 @@ int run(const Options& options, const std::function<void(const RenderFunction&)>
 int run_program(Options& options, int argc, const char* const* argv,
                 const std::function<void(const RenderFunction& render)>& body,
                 const std::string& overridden_headers) {
-    reopen_closed_streams();
+    prepare_streams();
     StopHandler handler(options.name());
     try {
         int code = 0;

@@ -3,6 +3,7 @@
 
 #include "common/util/error.h"
 #include "common/util/file_bytes.h"
+#include "common/util/paths.h"
 #include "common/image/hdr_format.h"
 
 #define STBI_WRITE_NO_STDIO
@@ -18,7 +19,7 @@ namespace rt {
 namespace {
 
 std::string lower_ending(const std::string& path) {
-    std::string ending = std::filesystem::path(path).extension().string();
+    std::string ending = text_of(path_of(path).extension());
     std::transform(ending.begin(), ending.end(), ending.begin(),
                    [](unsigned char c) { return char(std::tolower(c)); });
     return ending;
@@ -121,8 +122,8 @@ Image read_image(const std::string& path) {
 
 std::string absolute_path(const std::string& path) {
     std::error_code ignored;
-    const std::filesystem::path whole = std::filesystem::absolute(path, ignored);
-    return ignored ? path : whole.lexically_normal().string();
+    const std::filesystem::path whole = std::filesystem::absolute(path_of(path), ignored);
+    return ignored ? path : text_of(whole.lexically_normal());
 }
 
 } // namespace rt

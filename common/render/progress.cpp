@@ -2,39 +2,22 @@
 
 #include "common/render/progress.h"
 
+#include "common/util/system.h"
+
 #include <algorithm>
 #include <array>
 #include <cstdio>
 #include <string>
 
-#if defined(_WIN32)
-#include <io.h>
-#else
-#include <sys/ioctl.h>
-#include <unistd.h>
-#endif
-
 namespace rt {
 
 namespace {
 
-/// Returns whether a stream is a terminal: 1 is stdout, 2 is stderr, on every system.
-bool is_terminal(int stream) {
-#if defined(_WIN32)
-    return _isatty(stream) != 0;
-#else
-    return isatty(stream) != 0;
-#endif
-}
-
 /// Returns the usable width of the terminal. The last column stays free: some terminals
 /// wrap when it is written.
 int columns() {
-#if defined(TIOCGWINSZ)
-    winsize size{};
-    if (ioctl(2, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) return size.ws_col - 1;
-#endif
-    return 79;
+    const int all = terminal_columns(2);
+    return all > 0 ? all - 1 : 79;
 }
 
 /// Returns a duration in the form "0:07", "12:30" or "1:02:03".
@@ -76,10 +59,6 @@ void draw(std::string line, int width) {
 }
 
 } // namespace
-
-bool stderr_is_terminal() {
-    return is_terminal(2);
-}
 
 Progress::Progress(bool quiet)
     : visible(!quiet && is_terminal(1) && is_terminal(2)), start(std::chrono::steady_clock::now()),

@@ -5,9 +5,6 @@
 
 namespace rt {
 
-/// Returns whether stderr is a terminal.
-bool stderr_is_terminal();
-
 /// Draws a bar on stderr, unless `quiet` is set or stdout or stderr is not a terminal.
 /// The destructor erases it.
 class Progress {

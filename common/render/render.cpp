@@ -6,6 +6,7 @@
 
 #include "common/image/image_file.h"
 #include "common/util/cores.h"
+#include "common/util/system.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,9 @@
 // Linux: sched_getaffinity(2) and the CPU quota of control groups, version 2. Other systems: all cores.
 #include "common/util/cores.h"
 
+#include "common/util/system.h"
+#include "common/util/paths.h"
+
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
@@ -8,26 +11,8 @@
 #include <string>
 #include <thread>
 
-#if defined(__linux__)
-#include <sched.h>
-#endif
-
-#if __has_include(<unistd.h>)
-#include <sys/resource.h>
-#include <unistd.h>
-#endif
-
 namespace rt {
 namespace {
-
-int cores_of_affinity() {
-    const int all = std::max(1, int(std::thread::hardware_concurrency()));
-#if defined(__linux__)
-    cpu_set_t allowed;
-    if (sched_getaffinity(0, sizeof allowed, &allowed) == 0) return std::max(1, CPU_COUNT(&allowed));
-#endif
-    return all;
-}
 
 std::string first_line(const std::filesystem::path& path) {
     std::string line;
@@ -46,7 +31,7 @@ int cores_of_groups() {
     if (!groups) return 0;
     const std::filesystem::path root = "/sys/fs/cgroup";
     int least = 0;
-    for (std::filesystem::path group = own.substr(4);; group = group.parent_path()) {
+    for (std::filesystem::path group = path_of(own.substr(4));; group = group.parent_path()) {
         const int cores = cores_of_quota(first_line(root / group / "cpu.max"));
         if (cores > 0 && (least == 0 || cores < least)) least = cores;
         if (group.empty()) return least;
@@ -65,21 +50,9 @@ int cores_of_quota(std::string_view cpu_max) {
 }
 
 int usable_cores() {
-    const int allowed = cores_of_affinity(), quota = cores_of_groups();
+    const int affinity = cores_of_affinity(), quota = cores_of_groups();
+    const int allowed = std::max(1, affinity > 0 ? affinity : int(std::thread::hardware_concurrency()));
     return quota > 0 ? std::min(allowed, quota) : allowed;
-}
-
-std::int64_t usable_memory() {
-#if defined(_SC_PHYS_PAGES) && defined(_SC_PAGESIZE)
-    const std::int64_t pages = sysconf(_SC_PHYS_PAGES);
-    const std::int64_t page = sysconf(_SC_PAGESIZE);
-    const std::int64_t machine = pages > 0 && page > 0 ? pages * page : 0;
-    rlimit limit{};
-    const bool limited = getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur < rlim_t(machine);
-    return limited ? std::int64_t(limit.rlim_cur) : machine;
-#else
-    return 0;
-#endif
 }
 
 } // namespace rt

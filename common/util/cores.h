@@ -1,7 +1,6 @@
-// How many cores and how much memory this program may use, which is often less than the machine has.
+// How many cores this program may use, which is often less than the machine has.
 #pragma once
 
-#include <cstdint>
 #include <string_view>
 
 namespace rt {
@@ -13,9 +12,5 @@ int usable_cores();
 /// Returns the number of cores that a control group's cpu.max allows ("quota period" in microseconds),
 /// rounded up; 0 if it sets no limit or cannot be parsed.
 int cores_of_quota(std::string_view cpu_max);
-
-/// Returns how many bytes of memory this process may use: the machine's, or less by
-/// `ulimit -v`; 0 if unknown.
-std::int64_t usable_memory();
 
 } // namespace rt

@@ -2,6 +2,7 @@
 #include "common/util/file_bytes.h"
 
 #include "common/util/error.h"
+#include "common/util/paths.h"
 
 #include <atomic>
 #include <cerrno>
@@ -36,7 +37,7 @@ std::error_code last_failure() {
 /// Resolves symbolic links: a link stays, and the file that it names is written, even if that does not exist
 /// yet. A file with several hard links is replaced under this name alone.
 fs::path final_place(const std::string& path) {
-    fs::path place = path;
+    fs::path place = path_of(path);
     std::error_code failure;
     for (int links = 0; fs::is_symlink(fs::symlink_status(place, failure)); ++links) {
         if (links == 40) throw Error(path + ": its symbolic links form a loop; choose another name");
@@ -54,12 +55,12 @@ fs::path folder_of(const fs::path& place) {
 class Temporary {
   public:
     explicit Temporary(const fs::path& place_)
-        : place(place_), name((folder_of(place) / ("raysteps-" + random_digits() + ".part")).string()) {
+        : place(place_), name(text_of(folder_of(place) / ("raysteps-" + random_digits() + ".part"))) {
         unfinished_file = name.c_str();
     }
     ~Temporary() {
         std::error_code ignored;
-        if (!renamed) fs::remove(name, ignored);
+        if (!renamed) fs::remove(path_of(name), ignored);
         unfinished_file = nullptr; // last, so that a signal handler still finds the name
     }
     Temporary(const Temporary&) = delete;
@@ -71,7 +72,7 @@ class Temporary {
         if (!file) return last_failure();
         std::error_code failure;
         const fs::file_status old = fs::status(place, failure);
-        if (fs::exists(old)) fs::permissions(name, old.permissions(), failure);
+        if (fs::exists(old)) fs::permissions(path_of(name), old.permissions(), failure);
         failure.clear(); // not an error: some file systems have no permissions
         if (std::fwrite(bytes.data(), 1, bytes.size(), file) != bytes.size()) failure = last_failure();
         const bool closed = std::fclose(file) == 0; // buffered bytes are written here
@@ -79,7 +80,7 @@ class Temporary {
     }
     std::error_code rename() {
         std::error_code failure;
-        fs::rename(name, place, failure);
+        fs::rename(path_of(name), place, failure);
         renamed = !failure;
         return failure;
     }
@@ -106,8 +107,8 @@ void check_folder(const std::string& path, const fs::path& place) {
     const fs::path folder = folder_of(place);
     std::error_code ignored;
     if (!fs::exists(folder, ignored))
-        throw Error(path + ": the folder " + folder.string() + " does not exist; create it first");
-    if (!fs::is_directory(folder, ignored)) throw Error(path + ": " + folder.string() + " is not a folder");
+        throw Error(path + ": the folder " + text_of(folder) + " does not exist; create it first");
+    if (!fs::is_directory(folder, ignored)) throw Error(path + ": " + text_of(folder) + " is not a folder");
 }
 
 /// Returns the path to write for `path`, with links resolved. Throws Error if no file can be written there.
@@ -123,17 +124,17 @@ fs::path checked_place(const std::string& path) {
 
 InputFile::InputFile(const std::string& path_, std::uintmax_t max_bytes) : path(path_) {
     std::error_code failure;
-    const fs::file_status status = fs::status(path, failure);
+    const fs::file_status status = fs::status(path_of(path), failure);
     if (status.type() == fs::file_type::not_found)
         throw Error(path + ": no such file; check the name and the folder");
     if (fs::is_directory(status)) throw Error(path + ": is a folder, not a file");
     if (failure) throw Error(path + ": cannot be read" + reason_of(failure));
     if (!fs::is_regular_file(status)) throw Error(path + ": is a device or a pipe, not a plain file");
-    left = fs::file_size(path, failure);
+    left = fs::file_size(path_of(path), failure);
     if (failure) throw Error(path + ": cannot be read" + reason_of(failure));
     if (left > max_bytes)
         throw Error(path + ": is too large (" + megabytes(left) + ", at most " + megabytes(max_bytes) + ")");
-    stream.open(fs::path(path), std::ios::binary);
+    stream.open(path_of(path), std::ios::binary);
     if (!stream) throw Error(path + ": cannot be opened; check its permissions");
 }
 

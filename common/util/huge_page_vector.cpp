@@ -1,11 +1,7 @@
 // Allocates the memory of a HugePageVector.
 #include "common/util/huge_page_vector.h"
 
-#include <cstdlib>
-
-#ifdef __linux__
-#include <sys/mman.h>
-#endif
+#include "common/util/system.h"
 
 namespace rt {
 namespace {
@@ -27,9 +23,7 @@ void* huge_page_allocate(std::size_t bytes) {
     const std::size_t whole = (bytes + huge_page - 1) / huge_page * huge_page;
     void* const memory =
         ::operator new(in_huge_pages(bytes) ? whole : bytes, std::align_val_t(alignment(bytes)));
-#ifdef __linux__
-    if (in_huge_pages(bytes)) madvise(memory, whole, MADV_HUGEPAGE);
-#endif
+    if (in_huge_pages(bytes)) use_huge_pages(memory, whole);
     return memory;
 }
 

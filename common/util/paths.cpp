@@ -23,9 +23,9 @@ std::string asset_path(const std::string& name) {
     std::string tried;
     for (const std::string& folder : folders) {
         if (folder.empty()) continue;
-        const std::string path = (std::filesystem::path(folder) / name).string();
+        const std::string path = text_of(path_of(folder) / path_of(name));
         std::error_code ignored;
-        if (std::filesystem::is_regular_file(path, ignored)) return path;
+        if (std::filesystem::is_regular_file(path_of(path), ignored)) return path;
         tried += (tried.empty() ? "" : ", ") + path;
     }
     throw Error("the asset " + name + " is missing, tried " + tried +

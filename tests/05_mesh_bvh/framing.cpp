@@ -1,5 +1,6 @@
 // Facts about the automatic framing of an unknown model.
 #include "05_mesh_bvh/scene.h"
+#include "common/util/paths.h"
 #include "05_mesh_bvh/program/options.h"
 #include "common/cli/options.h"
 #include "common/math/random.h"
@@ -71,7 +72,7 @@ TEST_CASE("a user's model is on a floor under a lamp unless --bare is given") {
     for (const bool bare : {false, true}) {
         Options options("05_mesh_bvh", "?", {});
         const ModelOptions knobs(options);
-        const std::string path = file.path.string();
+        const std::string path = text_of(file.path);
         std::vector<const char*> arguments = {"05_mesh_bvh", "--mesh", path.c_str()};
         if (bare) arguments.push_back("--bare");
         REQUIRE(options.parse(int(arguments.size()), arguments.data()));

@@ -1,5 +1,6 @@
 // Facts about a model's files in a scene: its materials, its textures, and the fallback for a missing one.
 #include "common/image/image.h"
+#include "common/util/paths.h"
 #include "common/math/random.h"
 #include "tests/06_textures/scenes.h"
 #include "tests/check.h"
@@ -24,7 +25,7 @@ class Folder {
     Folder(const Folder&) = delete;
     Folder& operator=(const Folder&) = delete;
 
-    std::string file(const std::string& name) const { return (path / name).string(); }
+    std::string file(const std::string& name) const { return text_of(path / name); }
     void write(const std::string& name, const std::string& text) const { std::ofstream(path / name) << text; }
     /// Writes an image of one colour and returns that colour as quantised to 8 bits.
     vec3 write_picture(const std::string& name, vec3 linear) const {

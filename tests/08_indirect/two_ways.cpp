@@ -2,6 +2,7 @@
 // Both give the same light, and their combination has less noise. Statistical checks are z-tests with fixed
 // seeds; a correct renderer exceeds |z| = 4 in one run out of 16,000.
 #include "08_indirect/radiance.h"
+#include "common/util/paths.h"
 #include "08_indirect/scene.h"
 #include "common/model/obj_file.h"
 #include "tests/08_indirect/step.h"
@@ -9,11 +10,10 @@
 #include "tests/08_indirect/paths.h"
 #include "tests/check.h"
 
-#include <unistd.h>
-
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -100,7 +100,7 @@ TEST_CASE("a bright ball gives the same light by BSDF sampling as by light sampl
 }
 
 TEST_CASE("triangles with Ke in a mesh's MTL are area lights on both sides") {
-    const auto folder = std::filesystem::temp_directory_path() / ("raysteps_08_" + std::to_string(getpid()));
+    const auto folder = std::filesystem::temp_directory_path() / ("raysteps_08_" + std::to_string(std::random_device{}()));
     std::filesystem::create_directories(folder);
     std::ofstream(folder / "box.mtl") << "newmtl glow\nKd .5 .5 .5\nKe 1 2 0\n"
                                          "newmtl lamp\nKd 0 0 0\nKe 6 6 6\nnewmtl grey\nKd .6 .6 .6\n";
@@ -111,8 +111,8 @@ TEST_CASE("triangles with Ke in a mesh's MTL are area lights on both sides") {
     std::ofstream(folder / "lamp.obj") << "mtllib box.mtl\nv -4 0 -4\nv 4 0 -4\nv 4 0 4\nv -4 0 4\n"
                                           "v -.5 2 -.5\nv .7 2.3 -.4\nv .1 2.1 .8\n"
                                           "usemtl grey\nf 1 4 3 2\nusemtl lamp\nf 5 6 7\n";
-    const ObjModel box = read_obj((folder / "box.obj").string());
-    const ObjModel lamp = read_obj((folder / "lamp.obj").string());
+    const ObjModel box = read_obj(text_of(folder / "box.obj"));
+    const ObjModel lamp = read_obj(text_of(folder / "lamp.obj"));
     std::filesystem::remove_all(folder);
 
     Scene closed;

@@ -1,5 +1,6 @@
 // Facts about the benchmarks' own tools: what they trace, which side they call correct, and what the report draws.
 #include "tests/check.h"
+#include "common/util/paths.h"
 
 #include "01_spheres/camera.h"
 #include "accel/bench/agreement.h"
@@ -210,7 +211,7 @@ std::map<std::string, std::string> drawn_plots() {
     const auto folder = std::filesystem::temp_directory_path() / ("raysteps_plots_" + random_digits());
     std::filesystem::create_directories(folder);
     for (const auto& [name, data] : make_report(numbers, true).plots) {
-        const std::string file = (folder / name).string();
+        const std::string file = text_of(folder / name);
         write_file(file + ".txt", data);
         REQUIRE(std::system(("gnuplot -c '" RT_PLOT "' '" + file + ".txt' '" + file + ".svg'").c_str()) == 0);
         drawn[name] = read_file(file + ".svg");

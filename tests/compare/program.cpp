@@ -1,15 +1,12 @@
 // Facts about the program compare: its exit code, its output and files, and its one-line errors.
 #include "tests/compare/pictures.h"
 #include "tests/malformed/png.h"
+#include "tests/posix.h"
 
 #include <doctest/doctest.h>
 
 #include <cstdlib>
 #include <filesystem>
-
-#if !defined(_WIN32)
-#include <sys/wait.h>
-#endif
 
 using namespace rt;
 using namespace rt::compare;
@@ -26,9 +23,10 @@ struct Said {
 Said run_compare(const Folder& folder, const std::string& words) {
     const std::string out = folder / "out.txt", err = folder / "err.txt";
     const std::string line = "\"" RT_COMPARE "\" " + words + " >\"" + out + "\" 2>\"" + err + "\"";
-    int code = std::system(line.c_str());
-#if !defined(_WIN32)
-    code = WIFEXITED(code) ? WEXITSTATUS(code) : -1;
+#if defined(_WIN32)
+    const int code = std::system(("\"" + line + "\"").c_str()); // cmd takes the outer quotes off
+#else
+    const int status = std::system(line.c_str()), code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 #endif
     return {code, bytes_of(out), bytes_of(err)};
 }

@@ -1,5 +1,6 @@
 // The list of fuzz targets, and their input files.
 #include "tests/fuzz/fuzz.h"
+#include "common/util/paths.h"
 
 #include <algorithm>
 #include <array>
@@ -16,7 +17,7 @@ namespace {
 
 struct Folder {
     std::string path =
-        (fs::temp_directory_path() / ("raysteps_fuzz_" + std::to_string(std::random_device{}()))).string();
+        text_of(fs::temp_directory_path() / ("raysteps_fuzz_" + std::to_string(std::random_device{}())));
 
     Folder() { fs::create_directories(path); }
     Folder(const Folder&) = delete;

@@ -1,6 +1,7 @@
 // test_fuzz TARGET FOLDER...: feeds each file of the folders to a target.
 // It needs no libFuzzer and finds nothing new.
 #include "tests/fuzz/fuzz.h"
+#include "common/util/paths.h"
 
 #include <algorithm>
 #include <exception>
@@ -24,7 +25,7 @@ std::vector<fs::path> files_of(const fs::path& folder) {
 
 /// Returns whether the target keeps its promises.
 bool replay(const rt::fuzz::Target& target, const fs::path& path) {
-    std::cout << path.string() << std::endl; // if the program crashes, the last line names the file
+    std::cout << rt::text_of(path) << std::endl; // if the program crashes, the last line names the file
     std::ifstream stream(path, std::ios::binary);
     const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
     try {

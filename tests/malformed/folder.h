@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/util/error.h"
+#include "common/util/paths.h"
 
 #include <doctest/doctest.h>
 
@@ -32,12 +33,13 @@ class Folder {
     Folder(const Folder&) = delete;
     Folder& operator=(const Folder&) = delete;
 
-    std::string operator/(const std::string& name) const { return (path / name).string(); }
+    std::string operator/(const std::string& name) const { return text_of(path / path_of(name)); }
 
     /// Writes a file and returns its path.
     std::string write(const std::string& name, std::string_view bytes) const {
-        fs::create_directories((path / name).parent_path());
-        std::ofstream(path / name, std::ios::binary).write(bytes.data(), std::streamsize(bytes.size()));
+        const fs::path file = path / path_of(name);
+        fs::create_directories(file.parent_path());
+        std::ofstream(file, std::ios::binary).write(bytes.data(), std::streamsize(bytes.size()));
         return *this / name;
     }
     int files() const { return int(std::distance(fs::directory_iterator(path), fs::directory_iterator())); }
@@ -46,7 +48,7 @@ class Folder {
 };
 
 inline std::string bytes_of(const std::string& path) {
-    std::ifstream stream(path, std::ios::binary);
+    std::ifstream stream(path_of(path), std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 

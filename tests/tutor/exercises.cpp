@@ -38,7 +38,7 @@ std::string complaint(const std::string& text) {
 
 TEST_CASE("each function to write has a row in its chapter") {
     for (const std::string& step : all_steps(real)) {
-        const std::string chapter = text_of(real.root / "docs" / (step + ".md"));
+        const std::string chapter = content_of(real.root / "docs" / (step + ".md"));
         for (const Exercise& exercise : exercises_of(real, step))
             CHECK_MESSAGE(chapter.find("\n| `" + exercise.function + "`") != std::string::npos,
                           step << ": " << exercise.function);
@@ -132,7 +132,7 @@ TEST_CASE("one exercise is cut and the others stay") {
 TEST_CASE("no stub of the course shows a line of an answer or a marker") {
     for (const std::string& step : all_steps(real))
         for (const std::string& file : files_to_write(exercises_of(real, step))) {
-            const std::string text = text_of(steps_folder(real) / step / file);
+            const std::string text = content_of(steps_folder(real) / step / file);
             const std::vector<Exercise> here = find_exercises(text, file);
             const std::string stub = make_stub(text, here);
             CAPTURE(step + "/" + file);

@@ -13,7 +13,7 @@
 namespace rt::tutor {
 
 /// Returns the contents of a file; "" if there is none.
-inline std::string text_of(const std::filesystem::path& path) {
+inline std::string content_of(const std::filesystem::path& path) {
     std::ifstream stream(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }

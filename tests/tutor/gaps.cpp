@@ -1,5 +1,6 @@
 // Facts about gaps: what is not written is the reference's while the checks run, and lines keep their numbers.
 #include "tests/tutor/folder.h"
+#include "common/util/paths.h"
 #include "tools/tutor/commands.h"
 #include "tools/tutor/gaps.h"
 
@@ -18,7 +19,7 @@ struct Learner : SmallProject {
     explicit Learner(const std::string& lines = "") {
         said_by([&](std::ostream& out) { start_step(project, "01_one", out); });
         if (lines.empty()) return;
-        std::string text = text_of(own("01_one/shape.h"));
+        std::string text = content_of(own("01_one/shape.h"));
         const std::string gap = "    // TODO: divide by two\n    return x;\n";
         text.replace(text.find(gap), gap.size(), lines);
         put(own("01_one/shape.h"), text);
@@ -74,10 +75,10 @@ TEST_CASE("the reference is cut where the learner has gaps, and nowhere else") {
 
 TEST_CASE("behind a filled function the lines have the learner's numbers again") {
     const Learner learner;
-    const std::string path = (learner.own("01_one/shape.h")).string();
-    put(path, text_of(path) + "int after;\n");
+    const std::string path = text_of(learner.own("01_one/shape.h"));
+    put(path, content_of(path) + "int after;\n");
     int line = 0, expected = 0, found = 0;
-    for (const std::string& each : lines_of(text_of(path))) {
+    for (const std::string& each : lines_of(content_of(path))) {
         ++line;
         if (each == "int after;") expected = line;
     }
@@ -109,7 +110,7 @@ TEST_CASE("the learner's own tree renders the steps after 05 as soon as nothing 
     said_by([&](std::ostream& out) { start_step(real, "05_mesh_bvh", out); });
     CHECK(own_tree_flags(real, "06_textures").empty());
     for (const std::string& file : own_files(real, "05_mesh_bvh"))
-        put(small.own("05_mesh_bvh/" + file), text_of(real.root / "steps/05_mesh_bvh" / file));
+        put(small.own("05_mesh_bvh/" + file), content_of(real.root / "steps/05_mesh_bvh" / file));
     CHECK(own_tree_flags(real, "06_textures") == Words{"--accel", "bvh"});
     CHECK(own_tree_flags(real, "05_mesh_bvh").empty());
 }

@@ -1,5 +1,6 @@
 // Facts about records of proofs and runs, and about the parts of a source file that count for them.
 #include "tools/tutor/record.h"
+#include "common/util/paths.h"
 
 #include "common/util/file_bytes.h"
 #include "tools/tutor/util.h"
@@ -15,7 +16,7 @@ TEST_CASE("A record is read as it was written and a file with the same content i
     const rt::tutor::Record record{{"01_spheres", "ab"}, {"02_shadows", "cd"}};
     CHECK(rt::tutor::read_record(path).empty());
     rt::tutor::write_record(path, "# Words.\n", record);
-    CHECK(rt::read_file(path.string()) == "# Words.\n01_spheres ab\n02_shadows cd\n");
+    CHECK(rt::read_file(rt::text_of(path)) == "# Words.\n01_spheres ab\n02_shadows cd\n");
     CHECK(rt::tutor::read_record(path) == record);
 
     const auto long_ago = std::filesystem::last_write_time(path) - std::chrono::hours(1);

@@ -1,5 +1,6 @@
 // Facts about the report: a single self-contained page in which foreign text is never markup.
 #include "tools/tutor/report.h"
+#include "common/util/paths.h"
 
 #include "common/util/file_bytes.h"
 #include "common/image/image_file.h"
@@ -377,7 +378,7 @@ TEST_CASE("reports of each kind are written for the browser, and each is of mode
         {"wrong", some_report(folder)}, {"good", good_report()}, {"unbuilt", unbuilt_report()},
         {"evil", evil_report(folder)},  {"single", single},      {"unknown", unknown}};
     for (const auto& [name, report] : reports) {
-        const std::string file = (out / (std::string(name) + ".html")).string();
+        const std::string file = text_of(out / (std::string(name) + ".html"));
         write_file(file, report_html(root, report));
         CHECK(std::filesystem::file_size(file) > 20'000);
         CHECK(std::filesystem::file_size(file) < 4'000'000);

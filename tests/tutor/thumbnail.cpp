@@ -7,6 +7,7 @@
 
 #include <sstream>
 
+using namespace rt;
 using namespace rt::tutor;
 
 namespace {

@@ -1,5 +1,6 @@
 // Facts about the workshop: stubs never overwrite, removed files are kept, status shows the progress.
 #include "tools/tutor/workshop.h"
+#include "common/util/paths.h"
 
 #include "common/util/error.h"
 #include "tests/tutor/folder.h"
@@ -39,7 +40,7 @@ std::vector<fs::path> backups(const SmallProject& small, const std::string& step
 }
 
 void replace(const fs::path& path, const std::string& what, const std::string& by) {
-    std::string text = text_of(path);
+    std::string text = content_of(path);
     text.replace(text.find(what), what.size(), by);
     put(path, text);
 }
@@ -50,7 +51,7 @@ TEST_CASE("start creates stubs of the files that have exercises and of no others
     const SmallProject small;
     const std::string said = start(small, "01_one");
     CHECK(own_files(small.project, "01_one") == std::vector<std::string>{"shape.h"});
-    CHECK(has(text_of(small.own("01_one/shape.h")), "// TODO: divide by two"));
+    CHECK(has(content_of(small.own("01_one/shape.h")), "// TODO: divide by two"));
     CHECK(has(said, "is one enough?"));
     CHECK(has(said, "shape.h:5  half\n      divide by two\n"));
     CHECK(has(said, "./learn check 01"));
@@ -60,14 +61,15 @@ TEST_CASE("start never overwrites an existing file and reports it") {
     const SmallProject small;
     put(small.own("02_two/base.h"), "// mine\n");
     const std::string said = start(small, "02_two");
-    CHECK(text_of(small.own("02_two/base.h")) == "// mine\n");
+    CHECK(content_of(small.own("02_two/base.h")) == "// mine\n");
     CHECK(has(said, "base.h already exists and was not changed"));
-    CHECK(has(text_of(small.own("02_two/above.h")), "TODO"));
+    CHECK(has(content_of(small.own("02_two/above.h")), "TODO"));
     put(small.own("02_two/above.h"), "");
     start(small, "02_two");
-    CHECK(text_of(small.own("02_two/above.h")) == "");
+    CHECK(content_of(small.own("02_two/above.h")) == "");
 }
 
+#if !defined(_WIN32) // where links need a privilege
 TEST_CASE("start does not write through a dangling link") {
     const SmallProject small;
     fs::create_directories(small.own("01_one"));
@@ -75,6 +77,7 @@ TEST_CASE("start does not write through a dangling link") {
     CHECK_THROWS_AS(start(small, "01_one"), Error); // the exercises cannot be read there
     CHECK_FALSE(fs::exists(small.root / "elsewhere.h"));
 }
+#endif
 
 TEST_CASE("start lists the learner's files of earlier steps") {
     const SmallProject small;
@@ -87,7 +90,7 @@ TEST_CASE("if no folder can be created, start fails and leaves nothing") {
     const SmallProject small;
     put(small.root / "workshop", "a file, not a folder");
     CHECK_THROWS_AS(start(small, "01_one"), Error);
-    CHECK(text_of(small.root / "workshop") == "a file, not a folder");
+    CHECK(content_of(small.root / "workshop") == "a file, not a folder");
 }
 
 TEST_CASE("3, 03 and the full name mean a step; anything else is rejected") {
@@ -114,8 +117,8 @@ TEST_CASE("undo keeps the file under the current time even for several within a 
     }
     std::string all;
     for (const fs::path& path : backups(small, "01_one")) {
-        all += text_of(path) + " ";
-        CHECK(path.filename().string().starts_with("shape.h.20"));
+        all += content_of(path) + " ";
+        CHECK(text_of(path.filename()).starts_with("shape.h.20"));
     }
     CHECK(all.size() == std::string("first second third ").size());
 }
@@ -185,7 +188,7 @@ TEST_CASE("a check of one step keeps the state of the others and skips damaged l
     CHECK(checks.size() == 2);
     CHECK(checks.at("01_one").passed == 3);
     CHECK(checks.at("02_two").failed == 2);
-    CHECK(text_of(small.own(".state")) == "01_one\t3\t0\tsame\tabc\n02_two\t1\t2\tlook\tdef\n");
+    CHECK(content_of(small.own(".state")) == "01_one\t3\t0\tsame\tabc\n02_two\t1\t2\tlook\tdef\n");
 }
 
 TEST_CASE("a fingerprint depends on the files of the step and of earlier steps, not of later ones") {
@@ -235,7 +238,7 @@ TEST_CASE("merging brings the given part up to date and keeps what the learner w
         return said_by([&](std::ostream& out) { merge_step(small.project, "01_one", out); });
     };
     CHECK(has(merge(), "to restore it: mv "));
-    const std::string text = text_of(small.own("01_one/shape.h"));
+    const std::string text = content_of(small.own("01_one/shape.h"));
     CHECK(has(text, "return 0.5f * x;"));
     CHECK(has(text, "int result = +1;"));
     CHECK(has(merge(), "those of the reference"));
@@ -249,7 +252,7 @@ TEST_CASE("merging keeps the learner's lines where the reference has changed the
     replace(small.root / "steps/01_one/shape.h", "int result = 1;", "int result = +1;");
     const std::string said = said_by([&](std::ostream& out) { merge_step(small.project, "01_one", out); });
     CHECK(has(said, "your lines stay where both have changed: ./learn diff 01 shape.h"));
-    const std::string text = text_of(small.own("01_one/shape.h"));
+    const std::string text = content_of(small.own("01_one/shape.h"));
     CHECK(has(text, "inline float half(float x) {\n    return x / 2;\n}"));
     CHECK(has(text, "int result = +1;"));
     CHECK_FALSE(has(text, "<<<<"));

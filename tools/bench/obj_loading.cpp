@@ -1,5 +1,6 @@
 // Measures how fast read_obj and tinyobjloader alone read the same OBJ file, in turn, and the way to a mesh.
 #include "05_mesh_bvh/mesh.h"
+#include "common/util/paths.h"
 #include "common/model/obj_file.h"
 #include "common/util/error.h"
 #include "tools/bench/program.h"
@@ -92,7 +93,7 @@ Json measure(const std::string& path, const std::string& name, const Options& op
 
 Json measure(const Options& options) {
     if (!options.file.empty())
-        return Json::array({measure(options.file, fs::path(options.file).filename().string(), options)});
+        return Json::array({measure(options.file, text_of(path_of(options.file).filename()), options)});
     Json rows;
     fs::create_directories(RT_OUT);
     for (const bool normals : {true, false}) {

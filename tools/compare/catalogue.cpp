@@ -3,6 +3,7 @@
 
 #include "tools/compare/flip.h"
 #include "common/util/error.h"
+#include "common/util/paths.h"
 
 #include <algorithm>
 #include <cmath>
@@ -59,12 +60,12 @@ std::optional<double> noisy_distance(const EncodedImage& test, const EncodedImag
 std::map<std::string, std::string> pictures_in(const std::string& folder) {
     std::map<std::string, std::string> paths;
     std::error_code problem;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder, problem)) {
+    for (const fs::directory_entry& entry : fs::directory_iterator(path_of(folder), problem)) {
         const fs::path& path = entry.path();
-        const std::string ending = path.extension().string(), name = path.stem().string();
+        const std::string ending = text_of(path.extension()), name = text_of(path.stem());
         const bool is_variance = path.stem().extension() == ".variance";
         if (is_variance || (ending != ".hdr" && ending != ".png")) continue;
-        if (ending == ".hdr" || paths.count(name) == 0) paths[name] = path.string();
+        if (ending == ".hdr" || paths.count(name) == 0) paths[name] = text_of(path);
     }
     if (problem) throw Error(folder + ": is not a readable folder (" + problem.message() + ")");
     if (paths.empty()) throw Error(folder + ": contains no .hdr or .png file to compare with");
@@ -99,8 +100,8 @@ std::vector<CatalogueImage> read_catalogue_images(const std::string& folder) {
     std::vector<CatalogueImage> known;
     for (const auto& [name, path] : pictures_in(folder)) {
         known.push_back({name, read_encoded(path), {}});
-        const fs::path variance = fs::path(folder) / (name + ".variance.hdr");
-        if (fs::exists(variance)) known.back().variance = read_encoded(variance.string()).image;
+        const fs::path variance = path_of(folder) / path_of(name + ".variance.hdr");
+        if (fs::exists(variance)) known.back().variance = read_encoded(text_of(variance)).image;
     }
     return known;
 }

@@ -1,6 +1,7 @@
 // compare A B: is A the same picture as B? Exit code: 0 yes, 1 no, 2 one cannot be read.
 #include "tools/compare/comparison.h"
 #include "common/util/report_error.h"
+#include "common/util/system.h"
 #include "common/util/error.h"
 #include "common/util/file_bytes.h"
 #include "common/util/version.h"
@@ -68,9 +69,11 @@ void report(const Command& command, const rt::compare::Comparison& comparison) {
 } // namespace
 
 int main(int argc, char** argv) {
+    rt::prepare_streams();
     Command command;
     CLI::App app("Is A the same picture as the reference B? Exit code: 0 same, 1 different, 2 an error.",
                  "compare");
+    app.allow_windows_style_options(false); // a path may begin with a slash
     app.set_version_flag("--version", rt::version());
     declare(app, command);
     try {

@@ -87,7 +87,7 @@ void offer_packages(const fs::path& root, const std::vector<Benchmark>& chosen) 
                   << std::endl;
         return;
     }
-    Words setup{(root / "learn").string(), "setup"};
+    Words setup{text_of(root / "learn"), "setup"};
     append(setup, missing);
     if (run_process(setup).code != 0) throw CommandFailed("the packages could not be installed");
 }
@@ -95,7 +95,7 @@ void offer_packages(const fs::path& root, const std::vector<Benchmark>& chosen) 
 /// Returns the benchmarks that can be built here. A benchmark whose package is missing has no build target.
 std::vector<Benchmark> buildable(const Preset& preset, const std::vector<Benchmark>& chosen) {
     configure(preset, true); // detects packages that were installed since the last time
-    const std::string rules = read_file((preset.folder() / "build.ninja").string());
+    const std::string rules = read_file(text_of(preset.folder() / "build.ninja"));
     std::vector<Benchmark> kept;
     for (const Benchmark& benchmark : chosen)
         if (rules.find("\nbuild " + benchmark.target + ":") != rules.npos ||
@@ -123,13 +123,13 @@ Words with_defaults(const Words& defaults, const Words& given) {
 void run(const Preset& preset, const Benchmark& benchmark, const BenchOptions& options, const fs::path& out) {
     const fs::path json = out / (benchmark.name + ".json");
     std::cout << "--- " << benchmark.name << std::endl;
-    Words command{preset.program(benchmark.target).string(), benchmark.json_flag};
+    Words command{text_of(preset.program(benchmark.target)), benchmark.json_flag};
     if (benchmark.json_flag.ends_with('='))
-        command.back() += json.string();
+        command.back() += text_of(json);
     else
-        command.push_back(json.string());
+        command.push_back(text_of(json));
     append(command, with_defaults(options.quick ? benchmark.quick : benchmark.defaults, options.flags));
-    wait_for_program(command[0]);
+    wait_for_program(path_of(command[0]));
     const int code = run_process(command).code;
     std::error_code missing;
     const bool written = fs::file_size(json, missing) > 0 && !missing; // Google Benchmark always exits with 0
@@ -145,7 +145,7 @@ void run(const Preset& preset, const Benchmark& benchmark, const BenchOptions& o
 std::string numbers(const std::vector<Benchmark>& chosen, const fs::path& out, bool one) {
     Json all;
     for (const Benchmark& benchmark : chosen)
-        all[benchmark.name] = Json::parse(read_file((out / (benchmark.name + ".json")).string()));
+        all[benchmark.name] = Json::parse(read_file(text_of(out / (benchmark.name + ".json"))));
     return json::text(one ? all.front() : all, 1) + "\n";
 }
 
@@ -155,8 +155,8 @@ void run_benchmarks(const Project& project, const BenchOptions& options) {
     if (options.name == "loop") {
         const Preset preset{project.root};
         make(preset, {"tutor", "checks"});
-        replace_process({"bash", (project.root / "tools/tutor/loop.sh").string(), project.root.string(),
-                         preset.folder().string(), options.json});
+        replace_process({"bash", text_of(project.root / "tools/tutor/loop.sh"), text_of(project.root),
+                         text_of(preset.folder()), options.json});
     }
     std::vector<Benchmark> chosen = find_benchmarks(options.name);
     const Preset preset{project.root, "bench"};
@@ -164,7 +164,7 @@ void run_benchmarks(const Project& project, const BenchOptions& options) {
     if (all && !options.flags.empty())
         throw Error("unknown argument '" + printable(options.flags[0]) +
                     "'; flags for one benchmark go after its name: ./learn bench traversal --help");
-    const fs::path out = options.out.empty() ? preset.folder() / "report" : fs::path(options.out);
+    const fs::path out = options.out.empty() ? preset.folder() / "report" : path_of(options.out);
     if (!options.json.empty()) check_file_writable(options.json);
     make_folder(out);
     offer_packages(project.root, chosen);
@@ -172,9 +172,9 @@ void run_benchmarks(const Project& project, const BenchOptions& options) {
     Words targets{"bench_report"};
     for (const Benchmark& benchmark : chosen) targets.push_back(benchmark.target);
     make(preset, targets);
-    if (asks_for_help(options.flags)) replace_process({preset.program(chosen[0].target).string(), "--help"});
+    if (asks_for_help(options.flags)) replace_process({text_of(preset.program(chosen[0].target)), "--help"});
     for (const Benchmark& benchmark : chosen) run(preset, benchmark, options, out);
-    if (run_process({preset.program("bench_report").string(), out.string()}).code != 0)
+    if (run_process({text_of(preset.program("bench_report")), text_of(out)}).code != 0)
         throw CommandFailed("the report could not be written");
     if (!options.json.empty()) write_file(options.json, numbers(chosen, out, !all));
     std::cout << "report: " << display_path(out / "report.md") << "\n";

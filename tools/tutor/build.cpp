@@ -64,15 +64,15 @@ fs::path log_of(const Preset& preset) {
 
 [[noreturn]] void give_up(const Preset& preset) {
     std::cout << "failed" << std::endl;
-    for (const std::string& line : lines_of(read_file(log_of(preset).string()))) print_error_line(line);
-    throw CommandFailed("the build failed; its output is above and in " + log_of(preset).string() +
-                        "; if your files are not the cause, remove " + preset.folder().string() +
+    for (const std::string& line : lines_of(read_file(text_of(log_of(preset))))) print_error_line(line);
+    throw CommandFailed("the build failed; its output is above and in " + text_of(log_of(preset)) +
+                        "; if your files are not the cause, remove " + text_of(preset.folder()) +
                         " and try again");
 }
 
 /// Returns whether a file did not compile, or a program did not link.
 bool compiling_failed(const Preset& preset) {
-    return std::ranges::any_of(lines_of(read_file(log_of(preset).string())), [](const std::string& line) {
+    return std::ranges::any_of(lines_of(read_file(text_of(log_of(preset)))), [](const std::string& line) {
         return line.starts_with("FAILED: ") && line.find("build.ninja") == line.npos &&
                line.find("verify_globs") == line.npos;
     });
@@ -81,16 +81,16 @@ bool compiling_failed(const Preset& preset) {
 bool configure_locked(const Preset& preset, bool again) {
     std::error_code ignored;
     const fs::path made = preset.folder() / "build.ninja";
-    write_file(log_of(preset).string(), "");
+    write_file(text_of(log_of(preset)), "");
     if (fs::exists(made, ignored) && !again) return true;
     fs::remove(made, ignored);
-    const Words command{"cmake", "--preset", preset.name, "-S", preset.root.string()};
+    const Words command{"cmake", "--preset", preset.name, "-S", text_of(preset.root)};
     return run_process(command, {.log = log_of(preset), .append = true}).code == 0;
 }
 
 bool build_locked(const Preset& preset, const Words& targets) {
     if (!configure_locked(preset, false)) return false;
-    Words command{"cmake", "--build", preset.folder().string(), "--target"};
+    Words command{"cmake", "--build", text_of(preset.folder()), "--target"};
     command.insert(command.end(), targets.begin(), targets.end());
     return run_process(command, {.log = log_of(preset), .append = true}).code == 0;
 }
@@ -134,8 +134,8 @@ void wait_for_program(const fs::path& program) {
 
 void hand_over(const Preset& preset, const std::string& tool, const Words& arguments) {
     make(preset, {tool}, true);
-    Words command{preset.program(tool).string()};
-    wait_for_program(command[0]);
+    Words command{text_of(preset.program(tool))};
+    wait_for_program(path_of(command[0]));
     command.insert(command.end(), arguments.begin(), arguments.end());
     replace_process(command);
 }

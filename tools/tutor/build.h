@@ -1,6 +1,7 @@
 // Builds what a command needs, and finds the first error in a compiler's output if that fails.
 #pragma once
 
+#include "common/util/system.h"
 #include "tools/tutor/workshop.h"
 
 #include <filesystem>
@@ -26,7 +27,9 @@ struct Preset {
     std::string name = "release";
 
     std::filesystem::path folder() const { return root / "build" / name; }
-    std::filesystem::path program(const std::string& program) const { return folder() / "bin" / program; }
+    std::filesystem::path program(const std::string& program) const {
+        return folder() / "bin" / (program + program_ending);
+    }
 };
 
 /// Configures the preset; `again`: even if it is already configured. Throws CommandFailed.

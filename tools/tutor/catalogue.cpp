@@ -109,7 +109,7 @@ template <class Entry>
 std::vector<Entry> parse_entries(const std::string& text, const std::string& path, const std::string& title,
                                  void (*read_fields)(Reader&, Entry&)) {
     Reader reader(text, path);
-    const std::string step = fs::path(path).parent_path().filename().string();
+    const std::string step = text_of(path_of(path).parent_path().filename());
     const std::string first = "# " + title + " of step " + step.substr(0, 2) + ": ";
     if (reader.at_end() || !reader.line().starts_with(first))
         reader.complain("the first line must be '" + first + "...'");
@@ -137,10 +137,10 @@ std::vector<Entry> read_entries(const fs::path& root, const std::string& step, c
     const std::string path = "exercises/" + step + "/" + file;
     std::error_code ignored;
     if (!fs::exists(root / path, ignored)) return {};
-    std::vector<Entry> entries = parse(read_file((root / path).string()), path);
+    std::vector<Entry> entries = parse(read_file(text_of(root / path)), path);
     std::set<std::string> results;
     for (const Entry& entry : entries) {
-        const std::string text = with_patch(entry, read_file((root / "steps" / entry.file).string()));
+        const std::string text = with_patch(entry, read_file(text_of(root / "steps" / entry.file)));
         if (!results.insert(text).second)
             throw Error(entry.place + ": " + entry.id + " makes the same change as an earlier entry");
     }
@@ -221,7 +221,7 @@ fs::path closer_right_picture(const fs::path& root, const std::string& step, con
 }
 
 std::string reference_fact(const fs::path& root, const std::string& step, const std::string& key) {
-    std::istringstream lines(read_file((root / "assets" / "reference" / (step + ".txt")).string()));
+    std::istringstream lines(read_file(text_of(root / "assets" / "reference" / (step + ".txt"))));
     for (std::string line; std::getline(lines, line);)
         if (line.starts_with(key + ": ")) return line.substr(key.size() + 2);
     return "";
@@ -239,14 +239,14 @@ compare::CatalogueMatch nearest_mistake(const fs::path& root, const std::string&
     const fs::path right = gallery_picture(root, step, "right");
     std::error_code ignored;
     if (!fs::exists(right, ignored)) return {};
-    std::vector<compare::CatalogueImage> wrong = compare::read_catalogue_images(right.parent_path().string());
+    std::vector<compare::CatalogueImage> wrong = compare::read_catalogue_images(text_of(right.parent_path()));
     std::erase_if(wrong, [](const compare::CatalogueImage& known) { return known.name == "right"; });
-    return compare::find_in_catalogue(compare::read_encoded(picture.string()),
-                                      compare::read_encoded(right.string()), {}, wrong);
+    return compare::find_in_catalogue(compare::read_encoded(text_of(picture)),
+                                      compare::read_encoded(text_of(right)), {}, wrong);
 }
 
 std::string function_of(const fs::path& root, const Patch& patch) {
-    const std::string reference = read_file((root / "steps" / patch.file).string());
+    const std::string reference = read_file(text_of(root / "steps" / patch.file));
     const Words lines = lines_of(reference);
     const auto changed = std::ranges::mismatch(lines, lines_of(with_patch(patch, reference))).in1;
     const int line = int(changed - lines.begin()) + 1;
@@ -258,7 +258,7 @@ std::string function_of(const fs::path& root, const Patch& patch) {
 
 Words mistakes_in(const std::filesystem::path& root, const Exercise& exercise) {
     const std::string file = exercise.step + "/" + exercise.file;
-    const std::string reference = read_file((root / "steps" / file).string());
+    const std::string reference = read_file(text_of(root / "steps" / file));
     const Words lines = lines_of(reference);
     Words ids;
     for (const Mistake& mistake : read_catalogue(root, exercise.step)) {

@@ -102,7 +102,7 @@ std::string saved_last(const Project& project, const std::string& step) {
 std::optional<fs::path> expected_folder(const Session& session, const Headers& cut) {
     const Change change = session.change("expected", cut);
     const fs::path folder = session.tools.work / "expected" /
-                            dependency_key(session.tools, change, program_source(session.step()));
+                            path_of(dependency_key(session.tools, change, program_source(session.step())));
     std::error_code ignored;
     if (fs::exists(folder / (session.step() + ".hdr"), ignored)) return folder;
     const TemporaryFolder scratch(session.tools.work);
@@ -110,7 +110,7 @@ std::optional<fs::path> expected_folder(const Session& session, const Headers& c
         throw Error("the reference with these gaps does not compile: " + built.complaint);
     RenderJob job{.root = session.project.root,
                   .step = session.step(),
-                  .program = scratch.path / "program",
+                  .program = scratch.path / made_program,
                   .references = {},
                   .out = scratch.path / "picture",
                   .samples = Samples::few};
@@ -128,7 +128,7 @@ void render_mine(const Session& session, Samples samples) {
     const Headers cut = cut_headers(session.project, session.step());
     RenderJob job{.root = session.project.root,
                   .step = session.step(),
-                  .program = session.findings.scratch / "program",
+                  .program = session.findings.scratch / made_program,
                   .references = reference_folder(session.project.root),
                   .out = session.findings.scratch / "picture",
                   .samples = samples,
@@ -226,7 +226,7 @@ void explain_nan_pixel(const Session& session) {
                       corner = std::to_string(pixel.x + 1) + "," + std::to_string(pixel.y + 1);
     Words flags = words_in(reference_fact(session.project.root, session.step(), "test flags"));
     append(flags, {"--crop", x + "," + y + "," + corner, "--out",
-                   (session.findings.scratch / "pixel.hdr").string(), "--quiet"});
+                   text_of(session.findings.scratch / "pixel.hdr"), "--quiet"});
     const Change change = session.change("mine", own_headers(session.project, session.step()));
     const std::string place = explain_nan(session.tools, change, program_source(session.step()), flags);
     if (!place.empty()) picture.lines.push_back("its first NaN arises " + place);
@@ -365,7 +365,7 @@ Words suspects(const Session& session) {
         const Gap& gap = gap_named(session.findings, name);
         all.push_back(name + " (" + gap.place + ")");
         const fs::path own = session.project.workshop / session.step() / gap.exercise.file;
-        if (may_not_end(gap.exercise, read_file(own.string()))) loops.push_back(all.back());
+        if (may_not_end(gap.exercise, read_file(text_of(own)))) loops.push_back(all.back());
     }
     return loops.empty() ? all : loops;
 }
@@ -477,9 +477,9 @@ void print_done(const Session& session) {
                        (last ? " is done: you have written a path tracer." : " is done.");
     if (!findings.picture.mine.empty()) {
         const fs::path kept = session.project.workshop / "report" / (session.step() + ".png");
-        const std::string png = read_file(findings.picture.mine.string());
+        const std::string png = read_file(text_of(findings.picture.mine));
         make_folder(kept.parent_path());
-        write_file(kept.string(), png);
+        write_file(text_of(kept), png);
         session.screen.picture(png);
         text += " Your picture: " + display_path(kept);
     }
@@ -490,7 +490,7 @@ void print_done(const Session& session) {
 void print_notes(const Session& session) {
     const std::string folder = display_path(session.project.workshop / session.step());
     for (const fs::path& entry : entries_of(session.project.workshop / session.step())) {
-        const std::string file = entry.filename().string();
+        const std::string file = text_of(entry.filename());
         std::error_code ignored;
         if (file.starts_with('.') || file.ends_with('~') || entry.extension() == ".h") continue;
         session.screen.line("note", folder + "/" + file + " is not used: only headers of the step are",
@@ -612,7 +612,7 @@ void greet(const Session& session) {
 
 /// Builds once what all checks are linked with, and says so, since it takes a while.
 Toolchain ready_toolchain(const Project& project, const CheckOptions& options, Screen& screen) {
-    const Preset preset{project.root, options.build.filename().string()};
+    const Preset preset{project.root, text_of(options.build.filename())};
     std::error_code ignored;
     const fs::path work = options.build / "check";
     const Words targets = targets_for(options.step);

@@ -43,23 +43,23 @@ std::vector<CheckResult> run_all_checks(const fs::path& program, const fs::path&
     wait_for_program(program);
     while (true) {
         const ProcessResult result =
-            run_process({program.string(), "--reporters=lines", "--first=" + std::to_string(all.size() + 1),
+            run_process({text_of(program), "--reporters=lines", "--first=" + std::to_string(all.size() + 1),
                          "--seconds-per-check=" + std::to_string(seconds)},
                         options);
-        std::vector<CheckResult> some = parse_results(read_file(log.string()));
+        std::vector<CheckResult> some = parse_results(read_file(text_of(log)));
         const bool crashed = result.code >= 128; // doctest may still have ended the check
         if (some.empty() || (!crashed && some.back().state != CheckState::unfinished)) {
             append(all, some);
             break;
         }
-        some.back().failures = {{program.filename().string(), "", reason(result, seconds), {}}};
+        some.back().failures = {{text_of(program.filename()), "", reason(result, seconds), {}}};
         some.back().state = result.timed_out ? CheckState::endless : CheckState::unfinished;
         append(all, some);
         if (!result.timed_out) continue;
         all.push_back(not_run());
         break;
     }
-    if (all.empty()) throw Error(program.string() + " ran no checks; it may be out of date: build it again");
+    if (all.empty()) throw Error(text_of(program) + " ran no checks; it may be out of date: build it again");
     return all;
 }
 
@@ -110,31 +110,31 @@ fs::path reference_folder(const fs::path& root) {
 }
 
 std::optional<std::string> render(const RenderJob& job) {
-    Words command{job.program.string(), "--quiet", "--out", (job.out / job.step).string()};
+    Words command{text_of(job.program), "--quiet", "--out", text_of(job.out / job.step)};
     const bool noisy = fs::exists(reference_folder(job.root) / (job.step + ".variance.hdr"));
-    if (noisy) append(command, {"--variance", (job.out / (job.step + ".variance.hdr")).string()});
+    if (noisy) append(command, {"--variance", text_of(job.out / (job.step + ".variance.hdr"))});
     append(command, with_samples(words_in(reference_fact(job.root, job.step, "test flags")),
                                  noisy && job.samples == Samples::few ? few_samples : ""));
     append(command, job.flags);
     const fs::path log = job.out / "log.txt";
-    wait_for_program(command[0]);
+    wait_for_program(path_of(command[0]));
     const ProcessResult result = run_process(command, {.log = log, .seconds = seconds_for_a_picture});
     if (result.timed_out)
         return "the program did not finish within " + std::to_string(seconds_for_a_picture) +
                " s; is there an endless loop?";
     if (result.code >= 128) return "the program crashed";
-    if (result.code != 0) return "the program failed: " + read_file(log.string());
+    if (result.code != 0) return "the program failed: " + read_file(text_of(log));
     return std::nullopt;
 }
 
 compare::Comparison compare_render(const RenderJob& job) {
     const std::string picture = job.step + ".hdr", variance = job.step + ".variance.hdr";
-    compare::ComparisonInput input{compare::read_encoded((job.out / picture).string()),
-                                   compare::read_encoded((job.references / picture).string())};
+    compare::ComparisonInput input{compare::read_encoded(text_of(job.out / picture)),
+                                   compare::read_encoded(text_of(job.references / picture))};
     input.step = std::atoi(job.step.c_str());
     if (fs::exists(job.references / variance))
-        input.variances = {read_image((job.out / variance).string()),
-                           read_image((job.references / variance).string())};
+        input.variances = {read_image(text_of(job.out / variance)),
+                           read_image(text_of(job.references / variance))};
     return compare::compare_images(input);
 }
 
@@ -150,7 +150,7 @@ PictureFinding render_and_compare(const RenderJob& job) {
     finding.mine = job.out / (job.step + ".png");
     finding.reference = job.references / (job.step + ".png");
     finding.map = job.out / (job.step + ".map.png");
-    write_image(finding.map.string(), compare::error_map(*finding.comparison));
+    write_image(text_of(finding.map), compare::error_map(*finding.comparison));
     const auto fact = [&](const char* key) { return reference_fact(job.root, job.step, key); };
     finding.settings = fact("width") + " x " + fact("height") + ", " +
                        (fact("test flags").empty() ? "the program's own settings" : fact("test flags"));
@@ -159,7 +159,7 @@ PictureFinding render_and_compare(const RenderJob& job) {
 
 Words similar_mistakes(const RenderJob& job) {
     const fs::path picture = job.out / (job.step + ".small.png");
-    Words command{job.program.string(), "--quiet", "--out", picture.string()};
+    Words command{text_of(job.program), "--quiet", "--out", text_of(picture)};
     append(command, gallery_flags(job.root, job.step));
     const ProcessResult result =
         run_process(command, {.log = job.out / "log.txt", .seconds = seconds_for_a_picture});

@@ -36,7 +36,7 @@ Json mistake_json(const Project& project, const Findings& findings) {
             {"shows", mistake.shows},
             {"why", mistake.why},
             {"fix", mistake.fix},
-            {"picture", gallery_picture(project.root, mistake.step, mistake.id).string()}};
+            {"picture", text_of(gallery_picture(project.root, mistake.step, mistake.id))}};
 }
 
 Words earlier_lines(const Findings& findings) {
@@ -68,9 +68,9 @@ fs::path write_report(const Project& project, const CheckOptions& options, const
                 {"next", findings.next},
                 {"settings", picture.settings},
                 {"pictures",
-                 {{"mine", picture.mine.string()},
-                  {"reference", picture.reference.string()},
-                  {"map", picture.map.string()}}}};
+                 {{"mine", text_of(picture.mine)},
+                  {"reference", text_of(picture.reference)},
+                  {"map", text_of(picture.map)}}}};
     for (const std::string& file : own_files(project, options.step))
         report["own_files"].push_back(options.step + "/" + file);
     for (const CheckResult& check : findings.checks) report["checks"].push_back(check_json(check));
@@ -78,8 +78,8 @@ fs::path write_report(const Project& project, const CheckOptions& options, const
         report["tiles_over_4"] = picture.comparison->tiles->outliers;
     const fs::path folder = project.workshop / "report", path = folder / (options.step + ".html");
     make_folder(folder);
-    write_file(path.string(), report_html(project.root, report));
-    write_file((folder / (options.step + ".js")).string(),
+    write_file(text_of(path), report_html(project.root, report));
+    write_file(text_of(folder / (options.step + ".js")),
                "newest(\"" + stamp + "\");\n"); // open pages run it
     return path;
 }

@@ -19,17 +19,17 @@ namespace {
 
 /// A picture of the page, and how it was made.
 Json rendered(const Preset& preset, const std::string& step, const Words& flags, const fs::path& picture) {
-    std::cout << "rendering " << picture.stem().string() << " ... " << std::flush;
-    Words command{preset.program(step).string(), "--out", picture.string()};
+    std::cout << "rendering " << text_of(picture.stem()) << " ... " << std::flush;
+    Words command{text_of(preset.program(step)), "--out", text_of(picture)};
     append(command, flags);
     std::string log;
-    wait_for_program(command[0]);
+    wait_for_program(path_of(command[0]));
     if (run_process(command, {.output = &log}).code != 0)
         throw CommandFailed(step + " could not be rendered; ./learn check " + number_of(step) + " says why");
     const Words time =
         words_in(line_after(log, "time ")); // 2.58 s, 27082410 rays, 10.5 million rays a second
     std::cout << joined({time.at(0), "s"}, " ") << std::endl;
-    return {{"picture", "data:image/png;base64," + base64(read_file(picture.string()))},
+    return {{"picture", "data:image/png;base64," + base64(read_file(text_of(picture)))},
             {"seconds", time.at(0)},
             {"rays", time.at(2)}};
 }
@@ -72,7 +72,7 @@ void make_course_page(const Project& project, bool open) {
         scratch.path / "cover.png");
     const fs::path page = project.workshop / "report" / "course.html";
     make_folder(page.parent_path());
-    write_file(page.string(), filled_page(project.root, "course.html", course));
+    write_file(text_of(page), filled_page(project.root, "course.html", course));
     std::cout << "your page: " << display_path(page) << std::endl;
     if (open && !open_page(page))
         std::cout << "there is no program here that opens a page; open it yourself\n";

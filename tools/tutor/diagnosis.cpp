@@ -197,7 +197,7 @@ std::vector<Signature> read_signatures(const std::filesystem::path& root, const 
     const std::filesystem::path path = root / "exercises" / step / "signatures.txt";
     std::error_code ignored;
     if (!std::filesystem::exists(path, ignored)) return {};
-    return parse_signatures(read_file(path.string()), "exercises/" + step + "/signatures.txt");
+    return parse_signatures(read_file(text_of(path)), "exercises/" + step + "/signatures.txt");
 }
 
 std::vector<SignatureMatch> rank_signatures(const std::vector<Signature>& known, const Signature& seen) {

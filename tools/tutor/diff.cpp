@@ -17,7 +17,7 @@ namespace {
 std::string git_diff(const std::string& first, const std::string& second) {
     const TemporaryFolder folder;
     const auto put = [&](const char* name, const std::string& text) {
-        const std::string path = (folder.path / name).string();
+        const std::string path = text_of(folder.path / name);
         write_file(path, text.empty() || text.ends_with('\n') ? text : text + "\n");
         return path;
     };
@@ -57,7 +57,7 @@ namespace {
 
 /// Returns a file without the markers of its exercises and with \n as line ends.
 NamedText plain_text(const fs::path& path) {
-    std::string text = without_markers(read_file(path.string()));
+    std::string text = without_markers(read_file(text_of(path)));
     std::erase(text, '\r');
     return {display_path(path), text};
 }

@@ -94,7 +94,7 @@ void visit(const std::vector<fs::path>& folders, const std::string& header, std:
     std::error_code ignored;
     for (const fs::path& folder : folders) {
         if (!fs::is_regular_file(folder / header, ignored)) continue;
-        for (const std::string& next : named_headers(read_file((folder / header).string())))
+        for (const std::string& next : named_headers(read_file(text_of(folder / header))))
             visit(folders, next, visited, order);
         break;
     }
@@ -105,7 +105,7 @@ void visit(const std::vector<fs::path>& folders, const std::string& header, std:
 Words headers_in_order(const fs::path& steps, const std::string& step) {
     Words headers, order;
     for (const fs::path& entry : entries_of(steps / step))
-        if (entry.extension() == ".h") headers.push_back(entry.filename().string());
+        if (entry.extension() == ".h") headers.push_back(text_of(entry.filename()));
     std::set<std::string> visited;
     Words all;
     for (const std::string& header : headers) visit({steps}, step + "/" + header, visited, all);
@@ -123,7 +123,7 @@ void name_exercises(std::vector<Exercise>& exercises) {
     std::map<std::string, int> uses;
     for (Exercise& e : exercises) {
         e.name = e.function;
-        if (functions[e.function].size() > 1) e.name += "_" + fs::path(e.file).stem().string();
+        if (functions[e.function].size() > 1) e.name += "_" + text_of(path_of(e.file).stem());
         const int count = ++uses[e.name];
         if (count > 1) e.name += "_" + std::to_string(count);
     }
@@ -169,7 +169,7 @@ std::vector<Exercise> find_exercises(const std::string& text, const std::string&
 std::vector<Exercise> find_step_exercises(const fs::path& steps, const std::string& step) {
     std::vector<Exercise> all;
     for (const std::string& file : headers_in_order(steps, step)) {
-        const std::string path = (steps / step / file).string();
+        const std::string path = text_of(steps / step / file);
         for (Exercise exercise : find_exercises(read_file(path), path)) {
             exercise.step = step;
             exercise.file = file;

@@ -21,7 +21,7 @@ std::string stub_of(const Project& project, const std::string& step, const std::
     std::vector<Exercise> here;
     std::ranges::copy_if(exercises, std::back_inserter(here),
                          [&](const Exercise& e) { return e.file == file; });
-    return make_stub(read_file((steps_folder(project) / step / file).string()), here);
+    return make_stub(read_file(text_of(steps_folder(project) / step / file)), here);
 }
 
 fs::path base_of(const Project& project, const std::string& step, const std::string& file) {
@@ -31,7 +31,7 @@ fs::path base_of(const Project& project, const std::string& step, const std::str
 void write_base(const Project& project, const std::string& step, const std::string& file,
                 const std::string& stub) {
     make_folder(project.workshop / ".base" / step);
-    write_file(base_of(project, step, file).string(), stub);
+    write_file(text_of(base_of(project, step, file)), stub);
 }
 
 namespace {
@@ -55,9 +55,9 @@ Contents missing_stubs(const Project& project, const std::string& step,
 
 void write_stubs(const Project& project, const std::string& step, const Contents& stubs, std::ostream& out) {
     const fs::path folder = project.workshop / step;
-    for (const auto& [file, stub] : stubs) check_file_writable((folder / file).string());
+    for (const auto& [file, stub] : stubs) check_file_writable(text_of(folder / file));
     for (const auto& [file, stub] : stubs) {
-        write_file((folder / file).string(), stub);
+        write_file(text_of(folder / file), stub);
         write_base(project, step, file, stub);
         out << "created " << display_path(folder / file) << "\n";
     }
@@ -72,20 +72,20 @@ void write_compile_flags(const Project& project) {
     if (fs::exists(path, ignored)) return;
     Words flags{"-xc++", "-std=c++20", "-DGLM_FORCE_EXPLICIT_CTOR", "-Wno-pragma-once-outside-header"};
     for (const fs::path& folder : {project.workshop, steps_folder(project), project.root})
-        flags.push_back("-I" + fs::proximate(folder, project.workshop).generic_string());
+        flags.push_back("-I" + text_of(fs::proximate(folder, project.workshop)));
     if (fs::exists(packages, ignored))
-        for (const std::string& line : lines_of(read_file(packages.string())))
+        for (const std::string& line : lines_of(read_file(text_of(packages))))
             if (const std::string flag = line.substr(std::min<std::size_t>(line.size(), 5));
                 (flag.starts_with("-D") || flag.starts_with("-I")) && flag != "-I/usr/include" &&
                 !contains(flags, flag))
                 flags.push_back(flag);
-    write_file(path.string(), joined(flags, "\n") + "\n");
+    write_file(text_of(path), joined(flags, "\n") + "\n");
 }
 
 void list_tasks(const Project& project, const std::vector<Exercise>& exercises, std::ostream& out) {
     for (const Exercise& exercise : exercises) {
         const fs::path path = project.workshop / exercise.step / exercise.file;
-        out << "  " << display_path(path, line_of(exercise, read_file(path.string()))) << "  "
+        out << "  " << display_path(path, line_of(exercise, read_file(text_of(path)))) << "  "
             << exercise.name << "\n"
             << "      " << exercise.task << "\n";
     }

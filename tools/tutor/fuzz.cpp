@@ -16,12 +16,11 @@ namespace fs = std::filesystem;
 namespace {
 
 bool has_libfuzzer(const fs::path& folder) {
-    const std::string source = (folder / "empty.cpp").string();
+    const std::string source = text_of(folder / "empty.cpp");
     write_file(source, "extern \"C\" int LLVMFuzzerTestOneInput(const char*, unsigned long) { return 0; }\n");
     try {
-        return run_process(
-                   {"clang++", "-fsanitize=fuzzer,address", "-o", (folder / "empty").string(), source},
-                   {.log = folder / "log"})
+        return run_process({"clang++", "-fsanitize=fuzzer,address", "-o", text_of(folder / "empty"), source},
+                           {.log = folder / "log"})
                    .code == 0;
     } catch (const Error&) {
         return false; // no clang++
@@ -53,7 +52,7 @@ Words past_inputs(const fs::path& root, const std::string& target) {
     Words files;
     for (const char* kind : {"findings", "corpus"})
         for (const fs::path& file : entries_of(root / "tests/fuzz" / kind / target))
-            files.push_back(file.string());
+            files.push_back(text_of(file));
     return files;
 }
 
@@ -64,26 +63,26 @@ bool fuzz_target(const Preset& preset, const std::string& target, const FuzzOpti
     const Words past = past_inputs(preset.root, target);
     make_folder(corpus);
     make_folder(found);
-    Words command{preset.program("fuzz").string(), "--target=" + target};
+    Words command{text_of(preset.program("fuzz")), "--target=" + target};
     Words replay = command;
     append(replay, past);
     if (run_process(replay, {.log = log}).code != 0) {
         print_row({target, "-", "-",
-                   "known input fails: " + last_after(read_file(log.string()), "Running: ") + ", see " +
-                       log.string()});
+                   "known input fails: " + last_after(read_file(text_of(log)), "Running: ") + ", see " +
+                       text_of(log)});
         return false;
     }
     for (const std::string& file : past)
-        fs::copy_file(file, corpus / fs::path(file).filename(), fs::copy_options::overwrite_existing);
+        fs::copy_file(path_of(file), corpus / path_of(file).filename(), fs::copy_options::overwrite_existing);
     append(command,
            {"-max_total_time=" + std::to_string(options.seconds), "-seed=" + std::to_string(options.seed),
             "-timeout=20", "-rss_limit_mb=3000", "-max_len=4096", "-print_final_stats=1",
-            "-artifact_prefix=" + (found / "").string(), corpus.string()});
+            "-artifact_prefix=" + text_of(found / ""), text_of(corpus)});
     const ProcessResult result = run_process(command, {.log = log});
-    const std::string text = read_file(log.string());
+    const std::string text = read_file(text_of(log));
     print_row({target, last_after(text, "stat::number_of_executed_units:"),
                std::to_string(int(result.cpu_seconds + .5)),
-               result.code == 0 ? "0" : last_after(text, "Test unit written to ") + ", see " + log.string()});
+               result.code == 0 ? "0" : last_after(text, "Test unit written to ") + ", see " + text_of(log)});
     return result.code == 0;
 }
 
@@ -92,14 +91,14 @@ bool fuzz_target(const Preset& preset, const std::string& target, const FuzzOpti
 Words fuzz_targets(const Project& project) {
     Words targets;
     for (const fs::path& folder : entries_of(project.root / "tests/fuzz/corpus"))
-        targets.push_back(folder.filename().string());
+        targets.push_back(text_of(folder.filename()));
     return targets;
 }
 
 int fuzz(const Project& project, const FuzzOptions& options) {
     const Preset preset{project.root, "fuzz"};
     const TemporaryFolder folder(quick_folder());
-    set_environment("TMPDIR", folder.path.string());
+    set_environment("TMPDIR", text_of(folder.path));
     if (!has_libfuzzer(folder.path))
         throw Error("fuzz needs clang++ with libFuzzer; on Debian: apt-get install clang libclang-rt-14-dev");
     make(preset, {"fuzz"});

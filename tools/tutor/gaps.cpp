@@ -26,7 +26,7 @@ HeaderExercises exercises_in(const Project& project, const std::string& step, co
     std::error_code ignored;
     const fs::path path = steps_folder(project) / step / file;
     if (!fs::is_regular_file(path, ignored)) return header;
-    header.reference = read_file(path.string());
+    header.reference = read_file(text_of(path));
     for (const Exercise& exercise : of_step)
         if (exercise.file == file) header.exercises.push_back(exercise);
     header.stub = make_stub(header.reference, header.exercises);
@@ -99,11 +99,11 @@ GapState state_of(const Project& project, const Exercise& exercise, const std::s
     const fs::path own = project.workshop / exercise.step / exercise.file;
     std::error_code ignored;
     if (!fs::is_regular_file(own, ignored)) return GapState::absent;
-    return is_untouched(exercise, read_file(own.string()), stub) ? GapState::unwritten : GapState::written;
+    return is_untouched(exercise, read_file(text_of(own)), stub) ? GapState::unwritten : GapState::written;
 }
 
 std::string own_text(const Project& project, const std::string& header) {
-    return read_file((project.workshop / header).string());
+    return read_file(text_of(project.workshop / header));
 }
 
 /// Adds the learner's headers of one step; `fill`: with the reference's lines in the gaps.

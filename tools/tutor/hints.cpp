@@ -49,7 +49,7 @@ Hints parse_hints(const std::string& text, const std::string& path) {
 
 Hints read_hints(const std::filesystem::path& root, const std::string& step,
                  const std::vector<Exercise>& exercises) {
-    const std::string path = (root / "exercises" / step / "hints.md").string();
+    const std::string path = text_of(root / "exercises" / step / "hints.md");
     Hints hints = parse_hints(read_file(path), path);
     for (const Exercise& exercise : exercises)
         if (!hints.contains(exercise.name)) throw Error(path + ": there are no hints for " + exercise.name);
@@ -96,7 +96,7 @@ void print_place(const Project& project, const Exercise& exercise, std::ostream&
     const auto path = project.workshop / exercise.step / exercise.file;
     out << exercise.name;
     if (std::filesystem::exists(path, ignored))
-        out << " in " << display_path(path, line_of(exercise, read_file(path.string())));
+        out << " in " << display_path(path, line_of(exercise, read_file(text_of(path))));
     out << "\ntask: " << exercise.task << "\n";
 }
 

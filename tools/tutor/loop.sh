@@ -4,7 +4,7 @@
 set -u
 
 root=$1 build=$2 json=${3-}
-now() { date +%s.%N; }
+now() { perl -MTime::HiRes=time -e 'printf "%.6f\n", time'; } # date has no fractions on macOS
 since() { awk "BEGIN { printf \"%.1f\", $(now) - $1 }"; }
 
 waited() { # sets $checks and $picture, the seconds until their lines are there

@@ -35,8 +35,8 @@ struct Arguments {
     int code = 0; ///< the exit code of the command
 
     Project project() const {
-        const std::filesystem::path folder(root);
-        return {folder, workshop.empty() ? folder / "workshop" : std::filesystem::path(workshop)};
+        const std::filesystem::path folder = path_of(root);
+        return {folder, workshop.empty() ? folder / "workshop" : path_of(workshop)};
     }
     std::string full_step() const {
         return step.empty() ? current_step(project()) : find_step(project(), step);
@@ -73,12 +73,13 @@ void add_check(CLI::App& app, Arguments& given, const std::string& name, const s
     CLI::App* const command = add_command(app, name, help, [&given, check] {
         const Project project = given.project();
         const std::filesystem::path build =
-            given.build.empty() ? project.root / "build/release" : std::filesystem::path(given.build);
+            given.build.empty() ? project.root / "build/release" : path_of(given.build);
+        const int columns = terminal_columns(1);
         const CheckOptions options{.step = given.full_step(),
                                    .build = build,
                                    .picture = !given.no_picture,
                                    .colour = colour_is_welcome(),
-                                   .width = terminal_width(),
+                                   .width = columns > 0 ? columns : 100,
                                    .open = given.open};
         given.code = check(project, options, std::cout);
     });
@@ -273,7 +274,7 @@ void add_maintenance(CLI::App& app, Arguments& given) {
         add_wrapper(app, name, help, [&given, name, first](const Words& words) {
             Words all = first.empty() ? Words{} : Words{"--root", given.root};
             append(all, words);
-            hand_over({given.root}, name, all);
+            hand_over({path_of(given.root)}, name, all);
         });
     };
     tool("compare", "Says whether two pictures are the same, and if not, how they differ.", {});
@@ -282,11 +283,11 @@ void add_maintenance(CLI::App& app, Arguments& given) {
                 "Proves that the checks work: each gap and each known mistake makes them fail, and the "
                 "mistake is named.",
                 [&given](const Words& words) {
-                    const Preset preset{given.root};
+                    const Preset preset{path_of(given.root)};
                     make(preset, {"prove", "test_main", "models", "raysteps_accel"});
-                    Words command{preset.program("prove").string(), "--root", given.root, "--build",
-                                  preset.folder().string()};
-                    wait_for_program(command[0]);
+                    Words command{text_of(preset.program("prove")), "--root", given.root, "--build",
+                                  text_of(preset.folder())};
+                    wait_for_program(path_of(command[0]));
                     append(command, words);
                     replace_process(command);
                 });
@@ -311,6 +312,7 @@ void add_maintenance(CLI::App& app, Arguments& given) {
 int run(int argc, char** argv) {
     Arguments given;
     CLI::App app("Guides you through the steps. ./learn --help lists the commands.", "./learn");
+    app.allow_windows_style_options(false); // a path may begin with a slash
     app.require_subcommand(1);
     app.set_version_flag("--version", version());
     app.add_option("--root", given.root, "the project's folder");
@@ -338,6 +340,7 @@ int run(int argc, char** argv) {
 } // namespace rt::tutor
 
 int main(int argc, char** argv) {
+    rt::prepare_streams();
     rt::tutor::handle_signals();
     try {
         return rt::tutor::run(argc, argv);

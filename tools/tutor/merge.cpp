@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 Words edited_references(const Project& project, const std::string& step) {
     std::string output;
-    const Words command{"git",  "-C", project.root.string(), "status", "--short",
+    const Words command{"git",  "-C", text_of(project.root), "status", "--short",
                         "-uno", "--", "steps/" + step};
     const bool known = run_process(command, {.log = "/dev/null", .output = &output}).code == 0;
     Words files;
@@ -30,7 +30,7 @@ Words outdated_files(const Project& project, const std::string& step) {
     for (const std::string& file : own_files(project, step)) {
         const fs::path base = base_of(project, step, file);
         if (fs::exists(base, ignored) && fs::exists(steps_folder(project) / step / file, ignored) &&
-            code_only(read_file(base.string())) != code_only(stub_of(project, step, file, exercises)))
+            code_only(read_file(text_of(base))) != code_only(stub_of(project, step, file, exercises)))
             files.push_back(file);
     }
     return files;
@@ -43,8 +43,8 @@ namespace {
 std::string merged(const std::string& own, const std::string& base, const std::string& stub, bool& clashes) {
     const TemporaryFolder folder;
     const auto put = [&](const char* name, const std::string& text) {
-        write_file((folder.path / name).string(), text);
-        return (folder.path / name).string();
+        write_file(text_of(folder.path / name), text);
+        return text_of(folder.path / name);
     };
     const Words files{put("own", own), put("base", base), put("stub", stub)};
     std::string text;
@@ -72,9 +72,9 @@ void merge_step(const Project& project, const std::string& step, std::ostream& o
         const std::string stub = stub_of(project, step, file, exercises);
         bool clashes = false;
         const std::string text =
-            merged(read_file(own.string()), read_file(base_of(project, step, file).string()), stub, clashes);
+            merged(read_file(text_of(own)), read_file(text_of(base_of(project, step, file))), stub, clashes);
         back_up(project, step, file, out);
-        write_file(own.string(), text);
+        write_file(text_of(own), text);
         write_base(project, step, file, stub);
         out << "merged the reference's changes into " << display_path(own)
             << (clashes ? "; your lines stay where both have changed: ./learn diff " + number_of(step) + " " +

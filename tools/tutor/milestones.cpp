@@ -82,7 +82,7 @@ std::vector<Milestone> read_milestones(const fs::path& root, const std::string& 
     const std::string path = "exercises/" + step + "/milestones.md";
     std::error_code ignored;
     if (!fs::exists(root / path, ignored)) return {};
-    return parse_milestones(read_file((root / path).string()), path);
+    return parse_milestones(read_file(text_of(root / path)), path);
 }
 
 void sort_by_milestones(const fs::path& root, const std::string& step, std::vector<Exercise>& exercises) {

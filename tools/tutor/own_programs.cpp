@@ -33,7 +33,8 @@ Toolchain own_toolchain(const Project& project, const std::string& step) {
     if (!help) throw Error("the compiler failed without an error in a source file; it says: " + log);
     for (const std::string& line : help->source) std::cout << printable(line) << "\n";
     if (!help->remedy.empty()) std::cout << help->remedy << std::endl;
-    throw CommandFailed(display_path(help->error.file, help->error.line) + ": " + help->error.message);
+    throw CommandFailed(display_path(path_of(help->error.file), help->error.line) + ": " +
+                        help->error.message);
 }
 
 bool sets(const Words& flags, const std::string& option) {
@@ -46,18 +47,18 @@ bool sets(const Words& flags, const std::string& option) {
 /// Returns the path of a program in PATH; empty if there is none.
 std::string found_in_path(const std::string& name) {
     const char* const path = std::getenv("PATH");
-    for (const std::string& folder : fields_of(path ? path : "", ':')) {
+    for (const std::string& folder : fields_of(path ? path : "", list_separator)) {
         std::error_code ignored;
-        const fs::path program = fs::path(folder) / name;
-        if (!folder.empty() && fs::is_regular_file(program, ignored)) return program.string();
+        const fs::path program = path_of(folder) / (name + program_ending);
+        if (!folder.empty() && fs::is_regular_file(program, ignored)) return text_of(program);
     }
     return "";
 }
 
 /// Returns the command that starts a debugger on a program, up to the program's own flags. Throws Error.
 Words debugger_command(const fs::path& program) {
-    if (const std::string gdb = found_in_path("gdb"); !gdb.empty()) return {gdb, "--args", program.string()};
-    if (const std::string lldb = found_in_path("lldb"); !lldb.empty()) return {lldb, "--", program.string()};
+    if (const std::string gdb = found_in_path("gdb"); !gdb.empty()) return {gdb, "--args", text_of(program)};
+    if (const std::string lldb = found_in_path("lldb"); !lldb.empty()) return {lldb, "--", text_of(program)};
     throw Error("there is no gdb and no lldb here; install one, for example: sudo apt-get install gdb");
 }
 
@@ -66,12 +67,12 @@ void build_for_debugger(const Project& project, const std::string& step, const f
     std::cout << "building " << display_path(program) << " ..." << std::endl;
     const Toolchain tools = own_toolchain(project, step);
     const fs::path log = tools.work / "debug.log";
-    Words command{tools.compiler, "-I" + project.workshop.string(), "-I" + steps_folder(project).string()};
+    Words command{tools.compiler, "-I" + text_of(project.workshop), "-I" + text_of(steps_folder(project))};
     append(command, tools.flags);
-    append(command, {"-w", "-O0", "-g", (project.root / program_source(step)).string()});
+    append(command, {"-w", "-O0", "-g", text_of(project.root / program_source(step))});
     append(command, libraries_for(tools, step));
-    append(command, {"-pthread", "-o", program.string()});
-    if (run_process(command, {.log = log}).code != 0) refuse(read_file(log.string()));
+    append(command, {"-pthread", "-o", text_of(program)});
+    if (run_process(command, {.log = log}).code != 0) refuse(read_file(text_of(log)));
 }
 
 } // namespace
@@ -86,7 +87,7 @@ void debug_step(const Project& project, const std::string& step, const Words& fl
     append(command, flags);
     if (!sets(flags, "--threads")) append(command, {"--threads", "1"});
     if (!sets(flags, "--samples")) append(command, {"--samples", "1"});
-    if (!sets(flags, "--out")) append(command, {"--out", (folder / (step + ".png")).string()});
+    if (!sets(flags, "--out")) append(command, {"--out", text_of(folder / (step + ".png"))});
     replace_process(command);
 }
 
@@ -95,7 +96,7 @@ void debug_step(const Project& project, const std::string& step, const Words& fl
 namespace {
 
 fs::path scene_path(const Project& project, const std::string& name) {
-    return project.workshop / "scenes" / (name + ".cpp");
+    return project.workshop / "scenes" / path_of(name + ".cpp");
 }
 
 /// Returns the step's header of the scene, its own or that of an earlier step: "06_textures/scene.h" for 07.
@@ -112,7 +113,7 @@ std::string scene_text(const Project& project, const std::string& step, const st
     if (step < "05") throw Error("scenes of your own are for the steps from 05 on");
     if (!has_scene(project, name))
         throw Error("there is no " + path + "; ./learn scene " + name + " " + number + " writes an example");
-    const std::string text = read_file(scene_path(project, name).string()),
+    const std::string text = read_file(text_of(scene_path(project, name))),
                       include = "#include \"" + scene_header(project, step) + "\"";
     if (text.find(include) == text.npos)
         throw Error(path + ": for step " + number + " this file must have " + include);
@@ -126,10 +127,10 @@ fs::path write_gallery(const fs::path& folder) {
                        "figure{display:inline-block;margin:1em}img{max-width:90vw}</style>\n";
     for (const fs::path& entry : entries_of(folder))
         if (entry.extension() == ".png") {
-            const std::string name = entry.stem().string();
+            const std::string name = text_of(entry.stem());
             page += "<figure><img src=\"" + name + ".png\"><figcaption>" + name + "</figcaption></figure>\n";
         }
-    write_file((folder / "index.html").string(), page);
+    write_file(text_of(folder / "index.html"), page);
     return folder / "index.html";
 }
 
@@ -154,13 +155,13 @@ void write_scene(const Project& project, const std::string& name, const std::str
     if (step < "05") throw Error("scenes of your own are for the steps from 05 on");
     const fs::path path = scene_path(project, name);
     if (fs::exists(path)) throw Error(display_path(path) + " exists already");
-    std::string text = read_file((project.root / "tools/tutor/own_scene.txt").string());
+    std::string text = read_file(text_of(project.root / "tools/tutor/own_scene.txt"));
     for (const auto& [mark, value] :
          {std::pair("@NAME@", name), {"@STEP@", number_of(step)}, {"@SCENE@", scene_header(project, step)}})
         for (std::size_t at; (at = text.find(mark)) != text.npos;)
             text.replace(at, std::string(mark).size(), value);
     make_folder(path.parent_path());
-    write_file(path.string(), text);
+    write_file(text_of(path), text);
     out << "created " << display_path(path) << "\nrender it: ./learn run " << number_of(step) << " --scene "
         << name << "\n";
 }
@@ -176,9 +177,9 @@ int run_scene(const Project& project, const std::string& step, const std::string
     make_folder(pictures);
     const TemporaryFolder folder(project.root / "build");
     build_with_scene(project, step, display_path(scene_path(project, name)), text, folder.path);
-    Words command{(folder.path / "program").string()};
+    Words command{text_of(folder.path / made_program)};
     append(command, flags);
-    if (!sets(flags, "--out")) append(command, {"--out", (pictures / name).string()});
+    if (!sets(flags, "--out")) append(command, {"--out", text_of(pictures / path_of(name))});
     append(command, own_tree_flags(project, step, flags));
     const int code = run_process(command).code;
     if (code != 0) return code;

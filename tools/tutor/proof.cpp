@@ -45,22 +45,22 @@ Outcome run_checks(const Toolchain& tools, const Change& change) {
 
 bool render_picture(const Toolchain& tools, const Change& change, const fs::path& picture,
                     const Words& options) {
-    const fs::path stamp = fs::path(picture).replace_extension(".key");
+    fs::path stamp = picture;
+    stamp.replace_extension(".key");
     const std::string key = joined(options, " ") + dependency_key(tools, change, program_source(change.step));
-    if (fs::exists(stamp) && read_file(stamp.string()) == key) return fs::exists(picture);
+    if (fs::exists(stamp) && read_file(text_of(stamp)) == key) return fs::exists(picture);
     const TemporaryFolder scratch(tools.work);
     const Outcome built = build_step(tools, change, scratch.path);
     if (!built.compiled) throw Error(change.step + " does not compile: " + built.complaint);
     fs::create_directories(picture.parent_path());
     fs::remove(picture);
-    Words command{
-        (scratch.path / "program").string(), "--quiet", "--threads", "1", "--out", picture.string()};
+    Words command{text_of(scratch.path / made_program), "--quiet", "--threads", "1", "--out", text_of(picture)};
     append(command, options);
     const Words flags = gallery_flags(tools.root, change.step);
     for (std::size_t i = 0; i < flags.size(); i += 2)
         if (!contains(options, flags[i])) append(command, {flags[i], flags[i + 1]});
     run_process(command, {.log = scratch.path / "log", .cpu_seconds = 30, .seconds = 300});
-    write_file(stamp.string(), key);
+    write_file(text_of(stamp), key);
     return fs::exists(picture);
 }
 
@@ -72,14 +72,14 @@ std::string picture_complaint(const Toolchain& tools, const Change& change, cons
                   .program = {},
                   .references = reference_folder(tools.root),
                   .out = folder};
-    if (!fs::exists(stamp) || read_file(stamp.string()) != key) {
+    if (!fs::exists(stamp) || read_file(text_of(stamp)) != key) {
         const TemporaryFolder scratch(tools.work);
         const Outcome built = build_step(tools, change, scratch.path);
         if (!built.compiled) return "does not compile: " + built.complaint;
         fs::create_directories(folder);
-        job.program = scratch.path / "program";
+        job.program = scratch.path / made_program;
         if (const auto reason = render(job)) return *reason;
-        write_file(stamp.string(), key);
+        write_file(text_of(stamp), key);
     }
     const compare::Comparison comparison = compare_render(job);
     return compare::is_same(comparison.verdict) ? "" : joined(comparison.lines, "; ");

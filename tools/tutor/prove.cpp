@@ -87,7 +87,7 @@ struct StepProof {
 
 void add_stubs(const fs::path& root, StepProof& proof) {
     std::map<std::string, std::vector<Exercise>> by_file;
-    const auto text = [&](const std::string& file) { return read_file((root / "steps" / file).string()); };
+    const auto text = [&](const std::string& file) { return read_file(text_of(root / "steps" / file)); };
     for (const Exercise& exercise : find_step_exercises(root / "steps", proof.step)) {
         const std::string file = exercise.step + "/" + exercise.file;
         by_file[file].push_back(exercise);
@@ -105,7 +105,7 @@ Change with_variants(const fs::path& root, const std::vector<const Variant*>& va
     Change change{variants[0]->step, "variant-" + variants[0]->id, {}};
     for (const Variant* variant : variants) {
         std::string& header = change.headers[variant->file];
-        if (header.empty()) header = read_file((root / "steps" / variant->file).string());
+        if (header.empty()) header = read_file(text_of(root / "steps" / variant->file));
         header = with_patch(*variant, header);
     }
     return change;
@@ -130,7 +130,7 @@ StepProof plan(const fs::path& root, const std::string& step) {
     proof.trials.push_back({.change = {step, "reference", {}}, .outcome = {}});
     add_stubs(root, proof);
     const auto change = [&](const Patch& patch) {
-        const std::string header = read_file((root / "steps" / patch.file).string());
+        const std::string header = read_file(text_of(root / "steps" / patch.file));
         return Change{step, patch.id, {{patch.file, with_patch(patch, header)}}};
     };
     for (const Mistake& mistake : proof.mistakes)
@@ -186,8 +186,8 @@ void try_out(const Toolchain& tools, Trial& trial, bool pictures) {
 /// Returns whether two pictures differ by more than rounding.
 bool differ(const std::string& step, const fs::path& right, const fs::path& wrong) {
     if (!fs::exists(right) || !fs::exists(wrong)) return true;
-    compare::ComparisonInput input{compare::read_encoded(wrong.string()),
-                                   compare::read_encoded(right.string())};
+    compare::ComparisonInput input{compare::read_encoded(text_of(wrong)),
+                                   compare::read_encoded(text_of(right))};
     input.step = std::atoi(step.c_str());
     return !compare::is_same(compare::compare_images(input).verdict);
 }
@@ -336,7 +336,7 @@ std::vector<Signature> signatures_of(const StepProof& proof) {
 
 Count judge(const Toolchain& tools, StepProof& proof, bool write) {
     const std::string path = "exercises/" + proof.step + "/signatures.txt";
-    if (write) write_file((tools.root / path).string(), signatures_text(proof.step, signatures_of(proof)));
+    if (write) write_file(text_of(tools.root / path), signatures_text(proof.step, signatures_of(proof)));
     const std::vector<Signature> known = read_signatures(tools.root, proof.step);
     const fs::path right = picture_path(tools, proof.trials[0].change);
     Count count{.step = proof.step};
@@ -437,9 +437,9 @@ void try_all(const Toolchain& tools, std::vector<StepProof>& proofs, const Prove
 
 bool prove(const ProveOptions& options) {
     const auto begin = std::chrono::steady_clock::now();
-    if (options.fresh) fs::remove_all(fs::path(options.root) / "build" / "prove");
-    const Toolchain tools = read_toolchain(options.root, options.build,
-                                           fs::path(options.root) / "build" / "prove", Strictness::proof);
+    if (options.fresh) fs::remove_all(path_of(options.root) / "build" / "prove");
+    const Toolchain tools = read_toolchain(path_of(options.root), path_of(options.build),
+                                           path_of(options.root) / "build" / "prove", Strictness::proof);
     if (!options.json.empty()) check_file_writable(options.json);
     std::vector<StepProof> proofs = plan_all(tools, options);
     try_all(tools, proofs, options);
@@ -473,6 +473,7 @@ int main(int argc, char** argv) {
         "named, and every right variant passes.\n"
         "Exit code: 0 proved, 1 not proved, 2 an error.",
         "prove");
+    app.allow_windows_style_options(false); // a path may begin with a slash
     app.set_version_flag("--version", rt::version());
     app.add_option("--json", options.json, "write the counts to this file");
     app.add_option("--step", options.step, "only this step: 3, 03 or 03_mirror");

@@ -21,13 +21,13 @@ Headers with_gaps(const fs::path& root, const std::string& step, const Words& wr
         if (!contains(written, exercise.name)) gaps[step + "/" + exercise.file].push_back(exercise);
     Headers headers;
     for (const auto& [file, exercises] : gaps)
-        headers[file] = make_stub(read_file((root / "steps" / file).string()), exercises);
+        headers[file] = make_stub(read_file(text_of(root / "steps" / file)), exercises);
     return headers;
 }
 
 bool same_picture(const fs::path& a, const fs::path& b) {
     const compare::Comparison comparison =
-        compare::compare_images({compare::read_encoded(a.string()), compare::read_encoded(b.string())});
+        compare::compare_images({compare::read_encoded(text_of(a)), compare::read_encoded(text_of(b))});
     return compare::is_same(comparison.verdict);
 }
 

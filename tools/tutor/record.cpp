@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 Record read_record(const fs::path& path) {
     Record record;
     if (std::error_code ignored; !fs::exists(path, ignored)) return record;
-    for (const std::string& line : lines_of(read_file(path.string())))
+    for (const std::string& line : lines_of(read_file(text_of(path))))
         if (const Words words = words_in(line); !line.starts_with("#") && words.size() == 2)
             record[words[0]] = words[1];
     return record;
@@ -21,7 +21,7 @@ void write_record(const fs::path& path, const std::string& heading, const Record
     std::string text = heading;
     for (const auto& [name, key] : record) text += name + " " + key + "\n";
     std::error_code ignored;
-    if (!fs::exists(path, ignored) || read_file(path.string()) != text) write_file(path.string(), text);
+    if (!fs::exists(path, ignored) || read_file(text_of(path)) != text) write_file(text_of(path), text);
 }
 
 std::string code_only(const std::string& source) {

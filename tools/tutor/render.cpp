@@ -34,8 +34,8 @@ Words test_flags(const std::string& step) {
 
 /// Returns the command that renders a step's picture, and for noisy steps also the variance.
 Words render_command(const Preset& preset, const std::string& step, const fs::path& folder) {
-    const std::string out = (folder / step).string();
-    Words command{preset.program(step).string(), "--out", out};
+    const std::string out = text_of(folder / step);
+    Words command{text_of(preset.program(step)), "--out", out};
     if (!reference_flags(step).empty()) append(command, {"--variance", out + ".variance.hdr"});
     return command;
 }
@@ -96,7 +96,7 @@ int run_unless_stopped(const Words& command, const ProcessOptions& options) {
 }
 
 void make_contact_sheet(const Preset& preset, const fs::path& sheet, const Words& pictures) {
-    Words command{preset.program("contact_sheet").string(), sheet.string()};
+    Words command{text_of(preset.program("contact_sheet")), text_of(sheet)};
     append(command, pictures);
     std::string output;
     if (run_process(command, {.output = &output}).code != 0)
@@ -115,7 +115,7 @@ int run_all(const Project& project, const Preset& preset) {
         const int code = run_unless_stopped(command, {.output = &row.log});
         if (code == 0) {
             compare(project, row);
-            pictures.push_back((project.root / "renders" / (step + ".png")).string());
+            pictures.push_back(text_of(project.root / "renders" / (step + ".png")));
         } else {
             row.remark = "the program failed with exit code " + std::to_string(code);
         }
@@ -152,8 +152,8 @@ FlagKinds kinds_of(const Words& flags) {
 
 int run_one(const Project& project, const Preset& preset, const std::string& step, const Words& flags) {
     const FlagKinds kinds = kinds_of(flags);
-    const std::string program = preset.program(step).string();
-    wait_for_program(program);
+    const std::string program = text_of(preset.program(step));
+    wait_for_program(path_of(program));
     if (kinds.help) replace_process({program, "--help"});
     Words command = kinds.name_file ? Words{program} : render_command(preset, step, project.root / "renders");
     append(command, flags);
@@ -170,7 +170,7 @@ int run_one(const Project& project, const Preset& preset, const std::string& ste
 
 /// Returns the text of assets/reference/NN_name.txt: how the reference was rendered.
 std::string facts(const Preset& preset, const std::string& step, const std::string& log) {
-    const std::string cache = read_file((preset.folder() / "CMakeCache.txt").string());
+    const std::string cache = read_file(text_of(preset.folder() / "CMakeCache.txt"));
     std::string compiler = line_after(cache, "CMAKE_CXX_COMPILER:");
     compiler.erase(0, compiler.find('=') + 1);
     std::string version, system;
@@ -183,8 +183,8 @@ std::string facts(const Preset& preset, const std::string& step, const std::stri
         return label + ":" + (flags.empty() ? "" : " ") + joined(flags, " ") + "\n";
     };
     return "# How the reference pictures of " + step +
-           " were made. Written by ./learn references, read by tests/reference.sh.\nprogram: " + step + "\n" +
-           labelled("flags", reference_flags(step)) + labelled("test flags", test_flags(step)) +
+           " were made. Written by ./learn references, read by cmake/reference.cmake.\nprogram: " + step +
+           "\n" + labelled("flags", reference_flags(step)) + labelled("test flags", test_flags(step)) +
            "width: " + words[0] + "\nheight: " + std::to_string(std::atoi(words[2].c_str())) +
            "\nsamples: " + words[3] + "\nseed: " + std::to_string(std::atoi(words[8].c_str())) +
            "\nmade by: " + version.substr(0, version.find('\n')) + ", " + system;
@@ -196,9 +196,9 @@ void make_reference(const Preset& preset, const std::string& step, const fs::pat
     std::string log;
     if (run_unless_stopped(command, {.output = &log}) != 0)
         throw CommandFailed(step + " could not be rendered");
-    write_file((folder / (step + ".txt")).string(), facts(preset, step, log));
+    write_file(text_of(folder / (step + ".txt")), facts(preset, step, log));
     for (const fs::path& file : entries_of(folder)) {
-        write_file((preset.root / "assets/reference" / file.filename()).string(), read_file(file.string()));
+        write_file(text_of(preset.root / "assets/reference" / file.filename()), read_file(text_of(file)));
         fs::remove(file);
     }
     std::cout << step << ": " << line_after(log, "time ") << std::endl;
@@ -246,7 +246,7 @@ void make_references(const Project& project, const std::string& step) {
     Words pictures;
     for (const std::string& each : all_steps(project))
         if (fs::exists(references / (each + ".png")))
-            pictures.push_back((references / (each + ".png")).string());
+            pictures.push_back(text_of(references / (each + ".png")));
     make_folder(project.root / "docs");
     make_contact_sheet(preset, project.root / "docs/contact_sheet.png", pictures);
     std::cout << "written into " << display_path(references)
@@ -256,12 +256,12 @@ void make_references(const Project& project, const std::string& step) {
 void make_figures(const Project& project, const Words& steps) {
     const Preset preset{project.root};
     make(preset, {"programs"});
-    set_environment("ROOT", project.root.string());
-    set_environment("BUILD", preset.folder().string());
+    set_environment("ROOT", text_of(project.root));
+    set_environment("BUILD", text_of(preset.folder()));
     for (const std::string& step : all_steps(project)) {
         const fs::path script = project.root / "tools/figures" / (step + ".sh");
         if ((!steps.empty() && !contains(steps, step)) || !fs::exists(script)) continue;
-        if (run_process({"bash", script.string()}).code != 0)
+        if (run_process({"bash", text_of(script)}).code != 0)
             throw CommandFailed("the figures of " + step + " could not be created");
     }
 }

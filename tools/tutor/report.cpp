@@ -64,7 +64,7 @@ void embed_mistake(Json& mistake) {
     const std::string path = mistake.value("picture", "");
     mistake.erase("picture");
     std::error_code ignored;
-    if (std::filesystem::exists(path, ignored)) mistake["picture"] = Picture(path).url();
+    if (std::filesystem::exists(path_of(path), ignored)) mistake["picture"] = Picture(path).url();
 }
 
 } // namespace
@@ -93,9 +93,9 @@ std::string base64(std::string_view bytes) {
 
 std::string filled_page(const std::filesystem::path& root, const std::string& name, const Json& data) {
     const std::filesystem::path folder = root / "tools/tutor";
-    const std::string path = (folder / name).string();
+    const std::string path = text_of(folder / name);
     std::string page = read_file(path);
-    fill_in(page, "{{page.js}}", read_file((folder / "page.js").string()), path);
+    fill_in(page, "{{page.js}}", read_file(text_of(folder / "page.js")), path);
     fill_in(page, "{{data}}", script_safe_json(data), path);
     return page;
 }

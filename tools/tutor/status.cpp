@@ -35,10 +35,9 @@ void count_exercises(const Project& project, StepStatus& status) {
         if (std::ranges::find(files, exercise.file) == files.end()) continue;
         ++status.exercises;
         const auto path = project.workshop / status.step / exercise.file;
-        const std::string text = read_file(path.string());
-        const std::string reference =
-            read_file((steps_folder(project) / status.step / exercise.file).string());
-        if (!is_untouched(exercise, text, make_stub(reference, find_exercises(reference, path.string()))))
+        const std::string text = read_file(text_of(path));
+        const std::string reference = read_file(text_of(steps_folder(project) / status.step / exercise.file));
+        if (!is_untouched(exercise, text, make_stub(reference, find_exercises(reference, text_of(path)))))
             ++status.begun, status.written.push_back(exercise.name);
         else if (status.to_write.empty())
             status.to_write = exercise.name + " in " + display_path(path, line_of(exercise, text));

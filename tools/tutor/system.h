@@ -1,5 +1,9 @@
-// The interface to the operating system: processes, a lock, the terminal. Implemented once per system.
+// What the tutor asks of the operating system beyond common/util/system.h: processes, a lock, keys. Implemented once for
+// each system: system_posix.cpp and system_windows.cpp.
 #pragma once
+
+#include "common/util/paths.h"
+#include "common/util/system.h"
 
 #include "tools/tutor/util.h"
 
@@ -14,10 +18,10 @@ namespace rt::tutor {
 
 /// Where the output of a program goes, and its limits.
 struct ProcessOptions {
-    std::filesystem::path log;        ///< file for stdout and stderr; empty: those of this process
-    bool append = false;              ///< appends to the log
-    std::string* output = nullptr;    ///< if set, receives stdout instead
-    bool echo = false;                ///< also prints what `output` receives, immediately
+    std::filesystem::path log;     ///< file for stdout and stderr, or /dev/null; empty: those of this process
+    bool append = false;           ///< appends to the log
+    std::string* output = nullptr; ///< if set, receives stdout instead
+    bool echo = false;             ///< also prints what `output` receives, immediately
     int cpu_seconds = 0, seconds = 0; ///< limits; 0: no limit
     std::uint64_t memory = 0;         ///< limit in bytes; 0: no limit
 };
@@ -47,15 +51,8 @@ struct CommandFailed : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Makes run_process throw Stop on Ctrl-C, TERM and HUP from now on, and makes failing writes return an error
-/// instead of ending the program.
+/// Makes run_process throw Stop on Ctrl-C, TERM and HUP from now on.
 void handle_signals();
-
-/// Sets an environment variable for programs that are started from now on.
-void set_environment(const std::string& name, const std::string& value);
-
-/// Returns the width of the terminal in columns, 100 if stdout is none.
-int terminal_width();
 
 /// Thrown by run_process after it has stopped a program because of cancel_if.
 struct Cancelled {};
@@ -66,8 +63,6 @@ void cancel_if(std::function<bool()> question);
 
 /// Opens a page in the browser and does not wait for it. Returns false if no program here does that.
 bool open_page(const std::filesystem::path& page);
-
-bool is_terminal(int stream); ///< 0: stdin, 1: stdout
 
 /// Exclusive lock on the folder that contains a build, so that only one process builds at a time; ./learn
 /// takes it, too. Held until this object or its process ends. Has no effect on file systems without locks.

@@ -7,13 +7,11 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
-#include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
 #include <iostream>
 #include <poll.h>
 #include <sys/file.h>
-#include <sys/ioctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <termios.h>
@@ -112,7 +110,7 @@ std::string crash_text(int signal) {
 ProcessResult run_process(const Words& command, const ProcessOptions& options) {
     Words words = command;
     const std::vector<char*> arguments = pointers_to(words);
-    const std::string log = options.log.string();
+    const std::string log = text_of(options.log);
     int ends[2] = {-1, -1};
     if (options.output && pipe(ends) != 0) throw Error("cannot start " + command[0] + ": no pipe");
     for (const int end : ends) fcntl(end, F_SETFD, FD_CLOEXEC);
@@ -148,7 +146,6 @@ void replace_process(const Words& command) {
 }
 
 void handle_signals() {
-    for (const int signal : {SIGXFSZ, SIGPIPE}) std::signal(signal, SIG_IGN);
     struct sigaction action {
     }, before{};
     action.sa_handler = note_stop; // without SA_RESTART, so that a signal interrupts waiting
@@ -158,21 +155,8 @@ void handle_signals() {
     }
 }
 
-int terminal_width() {
-    winsize size{};
-    return isatty(1) && ioctl(1, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 100;
-}
-
 void cancel_if(std::function<bool()> question) {
     is_cancelled = std::move(question);
-}
-
-void set_environment(const std::string& name, const std::string& value) {
-    setenv(name.c_str(), value.c_str(), 1);
-}
-
-bool is_terminal(int stream) {
-    return isatty(stream) == 1;
 }
 
 bool open_page(const fs::path& page) {
@@ -182,7 +166,7 @@ bool open_page(const fs::path& page) {
                                "    exit 0\n"
                                "done\n"
                                "exit 1";
-    return run_process({"sh", "-c", script, "sh", fs::absolute(page).string()}).code == 0;
+    return run_process({"sh", "-c", script, "sh", text_of(fs::absolute(page))}).code == 0;
 }
 
 BuildLock::BuildLock(const fs::path& build) {

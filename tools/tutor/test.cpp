@@ -27,7 +27,7 @@ void print_skipped(const fs::path& log) {
     std::error_code ignored;
     std::set<std::string> reasons;
     if (!fs::exists(log, ignored)) return;
-    for (const std::string& line : lines_of(read_file(log.string())))
+    for (const std::string& line : lines_of(read_file(text_of(log))))
         if (line.starts_with("skipped:") || line.find("[skipped]") != line.npos) reasons.insert(line);
     for (const std::string& reason : reasons) std::cout << printable(reason) << "\n";
 }
@@ -42,7 +42,7 @@ int run_tests(const Project& project, const std::string& word, const std::string
     if (!word.empty() && (group == groups.end() || group->second)) target += "_" + label;
     if (!junit.empty()) check_file_writable(junit);
     make(preset, {target});
-    Words ctest{"ctest", "--test-dir", preset.folder().string()};
+    Words ctest{"ctest", "--test-dir", text_of(preset.folder())};
     if (!label.empty()) append(ctest, {"-L", "^" + label + "$"});
     Words list = ctest;
     list.push_back("-N");
@@ -52,7 +52,7 @@ int run_tests(const Project& project, const std::string& word, const std::string
         throw Error("there are no checks with the name '" + word + "'");
     append(ctest, {"-j", std::to_string(usable_cores()), "--no-label-summary", "--output-on-failure"});
     if (is_terminal(1)) ctest.push_back("--progress");
-    if (!junit.empty()) append(ctest, {"--output-junit", fs::absolute(junit).string()});
+    if (!junit.empty()) append(ctest, {"--output-junit", text_of(fs::absolute(path_of(junit)))});
     const int code = run_process(ctest).code;
     print_skipped(preset.folder() / "Testing/Temporary/LastTest.log");
     return code == 0 ? 0 : 1;
@@ -62,13 +62,13 @@ void trace_pixel(const Project& project, const std::string& step, const Pixel& p
     const Preset preset{project.root};
     const auto [x, y, sample] = pixel;
     make(preset, {"trace_" + step}, true);
-    const std::string program = preset.program("trace_" + step).string();
-    wait_for_program(program);
+    const std::string program = text_of(preset.program("trace_" + step));
+    wait_for_program(path_of(program));
     const TemporaryFolder folder(preset.folder());
     std::ostringstream crop;
     crop << x << "," << y << "," << x + 1 << "," << y + 1;
     Words command{program, "--crop",  crop.str(), "--threads",
-                  "1",     "--quiet", "--out",    (folder.path / step).string()};
+                  "1",     "--quiet", "--out",    text_of(folder.path / step)};
     append(command, flags);
     std::cout << step << ", pixel " << x << "," << y << ", sample " << sample << std::endl;
     set_environment("RAYSTEPS_TRACE_SAMPLE", std::to_string(sample));

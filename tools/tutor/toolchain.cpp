@@ -29,11 +29,11 @@ std::string check_level(const std::string& step) {
 const std::string program_level = "-O1";
 
 /// Returns the text that an include finds: from the change, the reference, or the project.
-std::string text_of(const Toolchain& tools, const Change& change, const std::string& name) {
+std::string included_text(const Toolchain& tools, const Change& change, const std::string& name) {
     if (const auto found = change.headers.find(name); found != change.headers.end()) return found->second;
     std::error_code ignored; // a name that is too long does not exist
     for (const fs::path& folder : {tools.root / "steps", tools.root})
-        if (fs::is_regular_file(folder / name, ignored)) return read_file((folder / name).string());
+        if (fs::is_regular_file(folder / name, ignored)) return read_file(text_of(folder / name));
     return "";
 }
 
@@ -41,7 +41,7 @@ std::string text_of(const Toolchain& tools, const Change& change, const std::str
 void add_file(const Toolchain& tools, const Change& change, const std::string& name,
               std::set<std::string>& names, Hash& hash) {
     if (name.empty() || !names.insert(name).second) return;
-    const std::string text = text_of(tools, change, name), begin = "#include \"";
+    const std::string text = included_text(tools, change, name), begin = "#include \"";
     hash.add(name);
     hash.add(code_only(text));
     for (const std::string& line : lines_of(text))
@@ -51,7 +51,7 @@ void add_file(const Toolchain& tools, const Change& change, const std::string& n
 }
 
 std::string step_of(const std::string& source) {
-    return fs::path(source).parent_path().filename().string();
+    return text_of(path_of(source).parent_path().filename());
 }
 
 bool has_meshes(const std::string& step) {
@@ -66,14 +66,14 @@ const Words learner_flags{"-Werror=return-type",         "-Werror=uninitialized"
 
 /// Runs the compiler with the changed headers first on the include path.
 Outcome compile(const Toolchain& tools, const fs::path& overlay, const Words& arguments) {
-    Words command{tools.compiler, "-I" + overlay.string(), "-I" + (tools.root / "steps").string()};
+    Words command{tools.compiler, "-I" + text_of(overlay), "-I" + text_of(tools.root / "steps")};
     append(command, tools.flags);
     append(command, tools.strictness == Strictness::proof ? Words{"-w"} : learner_flags);
     append(command, arguments);
     const fs::path log = overlay / "compiler.log";
     Outcome outcome;
     outcome.compiled = run_process(command, {.log = log}).code == 0;
-    outcome.log = read_file(log.string());
+    outcome.log = read_file(text_of(log));
     if (outcome.compiled) return outcome;
     const auto error = first_error(outcome.log, "workshop/");
     outcome.complaint = error ? error->file + ":" + std::to_string(error->line) + ": " + error->message
@@ -82,7 +82,7 @@ Outcome compile(const Toolchain& tools, const fs::path& overlay, const Words& ar
 }
 
 fs::path prefix_of(const Toolchain& tools, const std::string& header, const std::string& level) {
-    return tools.work / fs::path(header).parent_path() / level / "pch.h";
+    return tools.work / path_of(header).parent_path() / level / "pch.h";
 }
 
 /// How a source is compiled and linked.
@@ -96,7 +96,7 @@ BuildPlan plan_for(const Toolchain& tools, const std::string& source) {
     const bool is_check = source.starts_with("tests/");
     const std::string level = is_check ? check_level(step_of(source)) : program_level;
     const fs::path prefix = prefix_of(tools, is_check ? "tests/pch.h" : "common/pch.h", level);
-    return {source, {level, "-include", prefix.string()}, is_check};
+    return {source, {level, "-include", text_of(prefix)}, is_check};
 }
 
 /// Compiles and links with the change, as `folder`/program.
@@ -104,28 +104,28 @@ Outcome build_program(const Toolchain& tools, const Change& change, const BuildP
                       const fs::path& folder) {
     for (const auto& [name, text] : change.headers) {
         fs::create_directories((folder / name).parent_path());
-        write_file((folder / name).string(), text);
+        write_file(text_of(folder / name), text);
     }
     const fs::path object = folder / "main.o";
     Words arguments = plan.flags;
-    append(arguments, {"-c", (tools.root / plan.source).string(), "-o", object.string()});
+    append(arguments, {"-c", text_of(tools.root / plan.source), "-o", text_of(object)});
     if (Outcome compiled = compile(tools, folder, arguments); !compiled.compiled) return compiled;
     Words link = plan.flags[0].starts_with("-fsanitize") ? Words{plan.flags[0]} : Words();
-    link.push_back(object.string());
+    link.push_back(text_of(object));
     if (plan.is_check) link.push_back(tools.test_main);
     append(link, libraries_for(tools, step_of(plan.source)));
-    append(link, {"-pthread", "-o", (folder / "program").string()});
+    append(link, {"-pthread", "-o", text_of(folder / made_program)});
     return compile(tools, folder, link);
 }
 
 /// Runs the checks for ./learn prove, which does not go on after a crash. Their output goes to `log`.
 Outcome run_once(const fs::path& program, const fs::path& log) {
     const ProcessResult result =
-        run_process({program.string(), "--reporters=lines"},
+        run_process({text_of(program), "--reporters=lines"},
                     {.log = log, .cpu_seconds = 30, .seconds = 300, .memory = std::uint64_t(4) << 30});
     Outcome outcome;
     outcome.timed_out = result.timed_out;
-    outcome.results = parse_results(read_file(log.string()));
+    outcome.results = parse_results(read_file(text_of(log)));
     return outcome;
 }
 
@@ -140,17 +140,17 @@ Outcome run_patiently(const fs::path& program, const fs::path& log) {
 
 /// Precompiles the header that most files include.
 void precompile(const Toolchain& tools, const std::string& header, const std::string& level) {
-    const fs::path prefix = prefix_of(tools, header, level), made = prefix.string() + ".gch",
+    const fs::path prefix = prefix_of(tools, header, level), made = path_of(text_of(prefix) + ".gch"),
                    stamp = prefix.parent_path() / "prefix.key";
     const std::string key = dependency_key(tools, {}, header);
-    if (fs::exists(made) && fs::exists(stamp) && read_file(stamp.string()) == key) return;
+    if (fs::exists(made) && fs::exists(stamp) && read_file(text_of(stamp)) == key) return;
     fs::create_directories(prefix.parent_path());
-    write_file(prefix.string(), read_file((tools.root / header).string()));
+    write_file(text_of(prefix), read_file(text_of(tools.root / header)));
     const TemporaryFolder scratch(tools.work);
     const Outcome compiled =
-        compile(tools, scratch.path, {level, "-x", "c++-header", prefix.string(), "-o", made.string()});
+        compile(tools, scratch.path, {level, "-x", "c++-header", text_of(prefix), "-o", text_of(made)});
     if (!compiled.compiled) throw Error(header + " does not compile: " + compiled.complaint);
-    write_file(stamp.string(), key);
+    write_file(text_of(stamp), key);
 }
 
 } // namespace
@@ -189,9 +189,9 @@ Words check_sources(const Toolchain& tools, const Change& change) {
     for (const std::string& file : check_files(tools.root, change.step))
         sources.push_back(check_source(change.step, file));
     std::stable_partition(sources.begin(), sources.end(), [&](const std::string& source) {
-        const std::string file = fs::path(source).stem().string();
+        const std::string file = text_of(path_of(source).stem());
         return std::ranges::any_of(change.headers, [&](const auto& header) {
-            const std::string own = fs::path(header.first).stem().string();
+            const std::string own = text_of(path_of(header.first).stem());
             return file == own || file.starts_with(own + "_"); // such as bvh_in_scenes
         });
     });
@@ -211,10 +211,10 @@ Toolchain read_toolchain(const fs::path& root, const fs::path& build, const fs::
                     .fingerprint = {}};
     const fs::path path = build / "prove" / "toolchain.txt";
     if (!fs::exists(path))
-        throw Error(path.string() + " does not exist; configure the build first (./learn test 03)");
+        throw Error(text_of(path) + " does not exist; configure the build first (./learn test 03)");
     Hash hash;
     hash.add(strictness == Strictness::proof ? "proof" : "learner");
-    for (const std::string& line : lines_of(read_file(path.string()))) {
+    for (const std::string& line : lines_of(read_file(text_of(path)))) {
         const std::size_t space = line.find(' ');
         if (space == std::string::npos) continue;
         const std::string key = line.substr(0, space), value = line.substr(space + 1);
@@ -228,8 +228,8 @@ Toolchain read_toolchain(const fs::path& root, const fs::path& build, const fs::
     Words objects = tools.libraries;
     objects.push_back(tools.test_main);
     for (const std::string& object : objects)
-        if (!fs::exists(object)) throw Error(object + " is not built; ./learn prove builds it");
-    hash.add(read_file((root / "tests/main.cpp").string()));
+        if (!fs::exists(path_of(object))) throw Error(object + " is not built; ./learn prove builds it");
+    hash.add(read_file(text_of(root / "tests/main.cpp")));
     tools.fingerprint = hash.text();
     fs::create_directories(tools.work / "cache");
     return tools;
@@ -246,7 +246,7 @@ void precompile_headers(const Toolchain& tools, const std::string& step) {
 Outcome run_source(const Toolchain& tools, const Change& change, const std::string& source) {
     const fs::path kept = tools.work / "cache" / (dependency_key(tools, change, source) + ".lines");
     if (fs::exists(kept)) {
-        const std::string text = read_file(kept.string());
+        const std::string text = read_file(text_of(kept));
         Outcome outcome;
         outcome.timed_out = text.starts_with("too long");
         outcome.results = parse_results(text);
@@ -255,17 +255,17 @@ Outcome run_source(const Toolchain& tools, const Change& change, const std::stri
     const TemporaryFolder scratch(tools.work);
     if (Outcome built = build_program(tools, change, plan_for(tools, source), scratch.path); !built.compiled)
         return built;
-    const fs::path program = scratch.path / "program", log = scratch.path / "checks.log";
+    const fs::path program = scratch.path / made_program, log = scratch.path / "checks.log";
     if (tools.strictness == Strictness::learner) {
         Outcome outcome = run_patiently(program, log);
         const bool plain = std::ranges::none_of(outcome.results, [](const CheckResult& result) {
             return result.state == CheckState::unfinished || result.state == CheckState::endless;
         });
-        if (plain) write_file(kept.string(), "ended\n" + read_file(log.string()));
+        if (plain) write_file(text_of(kept), "ended\n" + read_file(text_of(log)));
         return outcome;
     }
     Outcome outcome = run_once(program, log);
-    write_file(kept.string(), (outcome.timed_out ? "too long\n" : "ended\n") + read_file(log.string()));
+    write_file(text_of(kept), (outcome.timed_out ? "too long\n" : "ended\n") + read_file(text_of(log)));
     return outcome;
 }
 
@@ -353,10 +353,10 @@ std::string run_sanitized(const Toolchain& tools, const Change& change, const st
     const fs::path log = scratch.path / "checks.log";
     set_environment("ASAN_OPTIONS", "detect_leaks=0:handle_abort=1:allocator_may_return_null=1");
     set_environment("UBSAN_OPTIONS", "halt_on_error=1:print_stacktrace=1");
-    Words command{(scratch.path / "program").string()};
+    Words command{text_of(scratch.path / made_program)};
     append(command, arguments);
     run_process(command, {.log = log, .cpu_seconds = 30});
-    return read_file(log.string());
+    return read_file(text_of(log));
 }
 
 } // namespace
@@ -371,7 +371,7 @@ std::string explain_crash(const Toolchain& tools, const Change& change, const st
 std::string explain_nan(const Toolchain& tools, const Change& change, const std::string& source,
                         const Words& arguments) {
     const fs::path trap = tools.root / "tools/tutor/nan_trap.h";
-    return first_nan(run_sanitized(tools, change, source, {"-include", trap.string()}, arguments));
+    return first_nan(run_sanitized(tools, change, source, {"-include", text_of(trap)}, arguments));
 }
 
 } // namespace rt::tutor

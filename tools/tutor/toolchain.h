@@ -2,6 +2,7 @@
 // for ./learn prove, a learner's files for ./learn check. Results are cached by content, so nothing is built twice.
 #pragma once
 
+#include "common/util/system.h"
 #include "tools/tutor/diagnosis.h"
 #include "tools/tutor/gaps.h"
 
@@ -10,6 +11,9 @@
 #include <vector>
 
 namespace rt::tutor {
+
+/// The name of each program that is made here.
+inline const std::string made_program = std::string("program") + program_ending;
 
 /// What the compiler says: `proof` ignores warnings; `learner` makes those that are mistakes errors.
 enum class Strictness { proof, learner };
@@ -72,7 +76,7 @@ void precompile_headers(const Toolchain& tools, const std::string& step);
 /// Compiles and runs one file of checks, or returns the cached outcome.
 Outcome run_source(const Toolchain& tools, const Change& change, const std::string& source);
 
-/// Compiles the step's program with the change, as `folder`/program. Only `compiled`, `complaint` and `log` of the
+/// Compiles the step's program with the change, as `folder`/made_program. Only `compiled`, `complaint` and `log` of the
 /// outcome count.
 Outcome build_step(const Toolchain& tools, const Change& change, const std::filesystem::path& folder);
 

@@ -3,6 +3,7 @@
 
 #include "common/util/error.h"
 #include "common/util/file_bytes.h"
+#include "common/util/paths.h"
 
 #include <algorithm>
 #include <atomic>
@@ -116,7 +117,7 @@ class TemporaryFolder {
         : path(folder / ("raysteps." + random_digits())) {
         std::error_code failure;
         if (!std::filesystem::create_directory(path, failure))
-            throw Error(folder.string() + ": cannot create a temporary folder here; is it writable?");
+            throw Error(text_of(folder) + ": cannot create a temporary folder here; is it writable?");
     }
     ~TemporaryFolder() {
         std::error_code ignored;

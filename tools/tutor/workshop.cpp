@@ -38,7 +38,7 @@ std::vector<Words> read_table(const fs::path& path) {
     std::vector<Words> table;
     std::error_code ignored;
     if (!fs::exists(path, ignored)) return table;
-    for (const std::string& line : lines_of(read_file(path.string())))
+    for (const std::string& line : lines_of(read_file(text_of(path))))
         table.push_back(fields_of(trimmed(line)));
     return table;
 }
@@ -57,7 +57,7 @@ Words all_steps(const Project& project) {
     Words steps;
     std::error_code ignored;
     for (const fs::path& entry : entries_of(steps_folder(project)))
-        if (fs::is_regular_file(entry / "main.cpp", ignored)) steps.push_back(entry.filename().string());
+        if (fs::is_regular_file(entry / "main.cpp", ignored)) steps.push_back(text_of(entry.filename()));
     if (steps.empty())
         throw Error("there are no steps in " + display_path(steps_folder(project)) +
                     "; set --root to the project's folder");
@@ -87,7 +87,7 @@ std::string current_step(const Project& project) {
 }
 
 std::string question_of(const Project& project, const std::string& step) {
-    const std::string path = (steps_folder(project) / step / "main.cpp").string();
+    const std::string path = text_of(steps_folder(project) / step / "main.cpp");
     const Words lines = lines_of(read_file(path));
     const std::string first = lines.empty() ? "" : lines.front();
     const auto asks = first.find("asks: ");
@@ -118,7 +118,7 @@ Words own_files(const Project& project, const std::string& step) {
     Words files;
     std::error_code ignored;
     for (const fs::path& entry : entries_of(project.workshop / step)) {
-        const std::string file = entry.filename().string();
+        const std::string file = text_of(entry.filename());
         if (file.ends_with(".h") && file[0] != '.' && fs::is_regular_file(entry, ignored))
             files.push_back(file);
     }
@@ -142,7 +142,7 @@ std::string display_path(const fs::path& path) {
     std::error_code failure;
     const fs::path near = fs::proximate(path, failure);
     const bool elsewhere = failure || near.empty() || *near.begin() == "..";
-    return printable((elsewhere ? path.lexically_normal() : near).string());
+    return printable(text_of(elsewhere ? path.lexically_normal() : near));
 }
 
 std::string display_path(const fs::path& path, int line) {
@@ -174,7 +174,7 @@ void write_check(const Project& project, const std::string& step, const LastChec
         text += name + "\t" + std::to_string(c.passed) + "\t" + std::to_string(c.failed) + "\t" + c.verdict +
                 "\t" + c.fingerprint + "\n";
     make_folder(project.workshop);
-    write_file((project.workshop / ".state").string(), text);
+    write_file(text_of(project.workshop / ".state"), text);
 }
 
 bool all_well(const LastCheck& check) {
@@ -187,7 +187,7 @@ std::string fingerprint(const Project& project, const std::string& step) {
         if (each > step) break;
         for (const std::string& file : own_files(project, each)) {
             hash.add(each + "/" + file);
-            hash.add(read_file((project.workshop / each / file).string()));
+            hash.add(read_file(text_of(project.workshop / each / file)));
         }
     }
     return hash.text();
@@ -205,14 +205,14 @@ void write_shown_hints(const Project& project, const ShownHints& hints) {
     std::string text;
     for (const auto& [exercise, count] : hints) text += exercise + "\t" + std::to_string(count) + "\n";
     make_folder(project.workshop);
-    write_file((project.workshop / ".hints").string(), text);
+    write_file(text_of(project.workshop / ".hints"), text);
 }
 
 Words check_files(const fs::path& root, const std::string& step) {
     Words files;
     for (const fs::path& entry : entries_of(root / "tests" / step)) {
         const fs::path name = entry.filename();
-        if (name.extension() == ".cpp") files.push_back(step + "_" + name.stem().string());
+        if (name.extension() == ".cpp") files.push_back(step + "_" + text_of(name.stem()));
     }
     std::stable_partition(files.begin(), files.end(), [](const std::string& file) { return !is_slow(file); });
     auto place = files.begin();
@@ -232,7 +232,7 @@ bool is_slow(const std::string& file) {
 }
 
 std::string check_file_of(const std::string& step, const std::string& header) {
-    return step + "_" + fs::path(header).stem().string();
+    return step + "_" + text_of(path_of(header).stem());
 }
 
 } // namespace rt::tutor

@@ -50,7 +50,7 @@ bool is_there(const fs::path& page_path, const std::string& page, const std::str
     if (!file.empty() && !fs::exists(path, ignored)) return false;
     if (hash == std::string::npos) return true;
     if (!file.empty() && !fs::is_regular_file(path, ignored)) return false;
-    return anchors_of(file.empty() ? page : read_file(path.string())).contains(target.substr(hash + 1));
+    return anchors_of(file.empty() ? page : read_file(text_of(path))).contains(target.substr(hash + 1));
 }
 
 /// Returns all parts of the line between `open` and the next `close`.

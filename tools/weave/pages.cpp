@@ -19,14 +19,14 @@ namespace {
 
 /// Returns the text of the first heading of a page.
 std::string title_of(const fs::path& root, const std::string& name) {
-    for (const std::string& line : lines_of(read_file((root / "docs" / (name + ".md")).string())))
+    for (const std::string& line : lines_of(read_file(text_of(root / "docs" / (name + ".md")))))
         if (line.starts_with("# ")) return line.substr(2);
     throw Error("docs/" + name + ".md has no title (\"# ...\")");
 }
 
 /// Returns the names of the pages of docs/ that README.md links to, in that order but for the chapters, which come first.
 Words page_names(const fs::path& root) {
-    const std::string readme = read_file((root / "README.md").string()), begin = "](docs/", end = ".md";
+    const std::string readme = read_file(text_of(root / "README.md")), begin = "](docs/", end = ".md";
     Words names;
     for (std::size_t at = 0; (at = readme.find(begin, at)) != std::string::npos;) {
         at += begin.size();
@@ -106,7 +106,7 @@ std::string navigation(const fs::path& root, const std::string& name) {
 }
 
 std::string contents(const fs::path& root, const std::string& name) {
-    const std::string page = read_file((root / "docs" / (name + ".md")).string());
+    const std::string page = read_file(text_of(root / "docs" / (name + ".md")));
     std::string list;
     for_each_text_line(page, [&](const std::string& line, std::size_t, bool) {
         if (line.starts_with("## "))

@@ -41,7 +41,7 @@ std::vector<std::string> words_of(const std::string& text) {
 }
 
 std::string read(const fs::path& root, const std::string& file) {
-    return without_markers(read_file((root / file).string()));
+    return without_markers(read_file(text_of(root / file)));
 }
 
 std::string without_blank_ends(std::string text) {
@@ -76,7 +76,7 @@ std::string folded_listing(const std::string& code, const std::vector<Exercise>&
 
 std::string listing(const fs::path& root, const std::string& what) {
     const std::size_t hash = what.find('#');
-    const std::string file = what.substr(0, hash), whole = read_file((root / file).string());
+    const std::string file = what.substr(0, hash), whole = read_file(text_of(root / file));
     const std::string code = hash == std::string::npos ? whole : region(whole, what.substr(hash + 1), file);
     if (file.ends_with(".sh")) return code_block("sh", code);
     const std::vector<Exercise> exercises = find_exercises(code, file);
@@ -104,7 +104,7 @@ std::string sentence(std::string text) {
 
 /// Returns a link to a picture; pages that show it are in docs/.
 std::string picture(const std::string& alternative, const fs::path& path) {
-    return "![" + alternative + "](../" + path.generic_string() + ")";
+    return "![" + alternative + "](../" + text_of(path) + ")";
 }
 
 /// Returns what a mistake is, and below it the right picture beside the wrong one.
@@ -158,7 +158,7 @@ void add_code_below(const fs::path& folder, Hash& hash) {
         if (fs::is_directory(entry))
             add_code_below(entry, hash);
         else
-            hash.add(code_only(read_file(entry.string())));
+            hash.add(code_only(read_file(text_of(entry))));
     }
 }
 
@@ -214,8 +214,8 @@ std::vector<Command> find_commands(const std::vector<std::string>& lines, const 
 }
 
 std::string page_key(const fs::path& root, const std::string& page) {
-    const std::vector<std::string> lines = lines_of(read_file((root / page).string()));
-    const std::string name = fs::path(page).filename().string();
+    const std::vector<std::string> lines = lines_of(read_file(text_of(root / page)));
+    const std::string name = text_of(path_of(page).filename());
     const std::string last = name[0] == '0' ? name.substr(0, 2) : "99";
     Hash hash;
     const std::vector<Command> commands = find_commands(lines, page);
@@ -228,9 +228,9 @@ std::string page_key(const fs::path& root, const std::string& page) {
         for (std::size_t i = block.begin; block.kind == "output" && i < block.end; ++i) hash.add(lines[i]);
     }
     if (!runs) return "";
-    hash.add(read_file((root / "learn").string()));
+    hash.add(read_file(text_of(root / "learn")));
     for (const fs::path& step : entries_of(root / "steps"))
-        if (step.filename().string().substr(0, 2) <= last) add_code_below(step, hash);
+        if (text_of(step.filename()).substr(0, 2) <= last) add_code_below(step, hash);
     for (const char* const folder : {"accel", "tools/tutor"}) add_code_below(root / folder, hash);
     return hash.text();
 }

@@ -2,6 +2,7 @@
 #include "common/model/obj/find_file.h"
 
 #include "common/util/text.h"
+#include "common/util/paths.h"
 
 #include <algorithm>
 #include <cctype>
@@ -31,7 +32,7 @@ fs::path in_folder(const fs::path& folder, const std::string& name) {
     for (auto entry = fs::directory_iterator(folder.empty() ? "." : folder, failure);
          !failure && entry != fs::directory_iterator(); entry.increment(failure)) {
         const fs::path there = entry->path().filename();
-        if (lower(there.string()) == lower(name) && (found.empty() || there < found)) found = there;
+        if (lower(text_of(there)) == lower(name) && (found.empty() || there < found)) found = there;
     }
     return found;
 }
@@ -42,7 +43,7 @@ fs::path in_any_case(const fs::path& path) {
     for (const fs::path& part : path.relative_path()) {
         std::error_code ignored;
         const bool is_exact = fs::exists(found / part, ignored);
-        const fs::path name = is_exact ? part : in_folder(found, part.string());
+        const fs::path name = is_exact ? part : in_folder(found, text_of(part));
         if (name.empty()) return {};
         found /= name;
     }
@@ -81,8 +82,8 @@ std::vector<fs::path> candidates(const std::string& name, const std::vector<fs::
         const fs::path normal = path.lexically_normal();
         if (std::find(paths.begin(), paths.end(), normal) == paths.end()) paths.push_back(normal);
     };
-    for (const fs::path& folder : folders) add(folder / name); // an absolute name stays unchanged
-    for (const fs::path& folder : folders) add(folder / fs::path(name).filename());
+    for (const fs::path& folder : folders) add(folder / path_of(name)); // an absolute name stays unchanged
+    for (const fs::path& folder : folders) add(folder / path_of(name).filename());
     return paths;
 }
 
@@ -97,14 +98,14 @@ std::vector<fs::path> existing(const std::vector<fs::path>& paths) {
 
 std::string listed(const std::vector<fs::path>& paths) {
     std::string text;
-    for (const fs::path& path : paths) text += (text.empty() ? "" : ", ") + path.string();
+    for (const fs::path& path : paths) text += (text.empty() ? "" : ", ") + text_of(path);
     return text;
 }
 
 std::string one_name_of(const fs::path& path) {
     std::error_code failure;
     const fs::path one = fs::weakly_canonical(path, failure);
-    return failure ? path.string() : one.string();
+    return failure ? text_of(path) : text_of(one);
 }
 
 } // namespace rt

@@ -7,6 +7,7 @@
 #include "common/model/obj/find_file.h"
 #include "common/model/obj/mask.h"
 #include "common/util/text.h"
+#include "common/util/paths.h"
 
 #include <algorithm>
 #include <sstream>
@@ -25,7 +26,7 @@ std::string with_spaces(std::string name) {
 void warn_of_case(const std::string& where, const std::string& name, const fs::path& file,
                   const std::vector<fs::path>& paths) {
     if (std::find(paths.begin(), paths.end(), file) == paths.end())
-        warn(where + ": " + in_quotes(name) + " does not exist, using " + file.string() + " instead");
+        warn(where + ": " + in_quotes(name) + " does not exist, using " + text_of(file) + " instead");
 }
 
 /// Returns an 8 x 8 checker of magenta and black, which nobody mistakes for the model's own texture.
@@ -83,7 +84,7 @@ void warn(const std::string& message) {
 
 /// Returns the existing files of an mtllib line.
 std::vector<fs::path> MaterialLibraries::find(const std::string& names) const {
-    const std::vector<fs::path> folders{fs::path(obj_path).parent_path()};
+    const std::vector<fs::path> folders{path_of(obj_path).parent_path()};
     const NamesOfLine line = names_of_line(names);
     std::vector<std::string> parts = line.parts;
     if (parts.size() > 1 && !existing(candidates(line.whole, folders)).empty()) parts = {line.whole};
@@ -107,7 +108,7 @@ bool MaterialLibraries::operator()(const std::string& names, std::vector<tinyobj
                                    std::string* errors) {
     for (const fs::path& file : find(names)) {
         if (!known.insert(one_name_of(file)).second) continue;
-        std::istringstream stream(scan_mtl(file.string(), read_file(file.string())));
+        std::istringstream stream(scan_mtl(text_of(file), read_file(text_of(file))));
         tinyobj::LoadMtl(numbers, materials, &stream, warnings, errors);
         files.resize(materials->size(), file);
     }
@@ -125,14 +126,14 @@ int TextureLoader::find_or_read(Known& known, const fs::path& mtl, const std::st
     for (const fs::path& path : existing(paths)) {
         const std::string key = one_name_of(path);
         if (const auto place = known.find(key); place != known.end()) return place->second;
-        warn_of_case(mtl.string(), name, path, paths);
+        warn_of_case(text_of(mtl), name, path, paths);
         try {
-            return known[key] = read(path.string());
+            return known[key] = read(text_of(path));
         } catch (const Error& error) {
             reason = error.what();
         }
     }
-    warn(mtl.string() + ": texture " + in_quotes(name) + " cannot be used, " + instead + "; tried " +
+    warn(text_of(mtl) + ": texture " + in_quotes(name) + " cannot be used, " + instead + "; tried " +
          listed(paths) + " (" + reason + ")");
     return known[missing] = substitute();
 }
@@ -179,14 +180,14 @@ ObjMaterial convert_material(const tinyobj::material_t& source, const fs::path& 
                              TextureLoader& textures) {
     ObjMaterial material;
     material.name = with_spaces(source.name);
-    const std::string where = mtl.string() + ": material " + in_quotes(material.name);
+    const std::string where = text_of(mtl) + ": material " + in_quotes(material.name);
     material.diffuse = diffuse_of(source, where);
     material.emission = clamped(source.emission, infinity, where, "Ke");
     material.reflectivity = reflectivity_of(source, where);
     material.ior = clamped(source.ior, 1, 4, where, "Ni");
     material.glass = asks_for_refraction(source.illum) || (source.dissolve < 1 && material.ior > 1);
     if (source.dissolve < 1 && !material.glass)
-        textures.unfollowed.add(mtl.string(), "d below 1 (or Tr above 0) without refraction is drawn opaque",
+        textures.unfollowed.add(text_of(mtl), "d below 1 (or Tr above 0) without refraction is drawn opaque",
                                 material.name);
     if (!source.diffuse_texname.empty()) material.texture = textures.load(mtl, source.diffuse_texname);
     if (!material.glass)

@@ -3,6 +3,7 @@
 
 #include "common/model/obj/unfollowed.h"
 #include "common/model/obj_file.h"
+#include "common/util/paths.h"
 
 #include <tiny_obj_loader.h>
 
@@ -45,7 +46,7 @@ class MaterialLibraries : public tinyobj::MaterialReader {
 /// Loads each texture and mask once. All of them together have at most `max_texture_pixels` pixels.
 class TextureLoader {
   public:
-    explicit TextureLoader(const std::string& obj_path_) : obj_path(obj_path_) {}
+    explicit TextureLoader(const std::string& obj_path_) : obj_path(path_of(obj_path_)) {}
 
     /// Returns the index in `bitmaps` of the texture that `mtl` calls `name`. If it cannot be read, a magenta
     /// checker replaces it, and a warning lists the paths tried.

@@ -1,8 +1,11 @@
 // Facts about a whole run: its output, its files, and its exit code.
 #include "common/cli/program.h"
+#include "common/util/paths.h"
 
 #include "common/util/error.h"
 #include "common/image/image_file.h"
+#include "common/util/system.h"
+#include "tests/posix.h"
 
 #include <doctest/doctest.h>
 
@@ -19,11 +22,6 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
-
-#if !defined(_WIN32)
-#include <sys/wait.h>
-#include <unistd.h>
-#endif
 
 namespace {
 
@@ -42,7 +40,7 @@ class Folder {
     Folder(const Folder&) = delete;
     Folder& operator=(const Folder&) = delete;
 
-    std::string operator/(const std::string& name) const { return (path / name).string(); }
+    std::string operator/(const std::string& name) const { return rt::text_of(path / rt::path_of(name)); }
     std::size_t files() const {
         return std::size_t(std::distance(fs::directory_iterator(path), fs::directory_iterator()));
     }
@@ -106,7 +104,7 @@ Run run(const std::vector<std::string>& words, const rt::SampleFunction& radianc
 }
 
 std::string bytes_of(const std::string& path) {
-    std::ifstream stream(path, std::ios::binary);
+    std::ifstream stream(rt::path_of(path), std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
@@ -382,9 +380,9 @@ class Variable {
   public:
     Variable(const char* name_, const std::string& value) : name(name_) {
         if (const char* const old = std::getenv(name)) before = old;
-        setenv(name, value.c_str(), 1);
+        rt::set_environment(name, value);
     }
-    ~Variable() { before ? setenv(name, before->c_str(), 1) : unsetenv(name); }
+    ~Variable() { rt::set_environment(name, before.value_or("")); }
     Variable(const Variable&) = delete;
     Variable& operator=(const Variable&) = delete;
 
@@ -467,6 +465,16 @@ TEST_CASE("a program stopped by a signal dies of that signal and leaves the old 
     CHECK(folder.files() == 1);
 }
 #endif
+
+TEST_CASE("a picture's name may be in any alphabet and is printed as it is") {
+    const Folder folder;
+    for (const std::string name : {"σφαίρα.png", "картина 絵.hdr", "🖼.png"}) {
+        const Run result = run({"--out", folder / name});
+        CHECK(result.code == 0);
+        CHECK(rt::read_image(folder / name).width == 8);
+        CHECK(contains(result.out, "/" + name + "\n"));
+    }
+}
 
 TEST_CASE("file names are printed without terminal control characters") {
     const Folder folder;

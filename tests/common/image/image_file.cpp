@@ -1,5 +1,6 @@
 // Facts about image files: round trips, error messages for damaged files, and the safety of existing files.
 #include "common/image/image_file.h"
+#include "common/util/paths.h"
 
 #include "common/util/error.h"
 #include "common/util/file_bytes.h"
@@ -8,19 +9,13 @@
 #include "tests/malformed/folder.h"
 #include "tests/malformed/jpeg.h"
 #include "tests/malformed/png.h"
+#include "tests/posix.h"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <limits>
 #include <random>
-
-#if !defined(_WIN32)
-#include <csignal>
-#include <sys/resource.h>
-#include <sys/stat.h>
-#include <unistd.h>
-#endif
 
 using namespace rt;
 using namespace rt::malformed;
@@ -446,7 +441,7 @@ TEST_CASE("a picture that cannot be read is an error with its path and the reaso
     const Folder folder;
     CHECK_ERROR(error_of([&] { read_image(folder / "none.png"); }), "none.png", "no such file");
     CHECK_ERROR(error_of([&] { read_image(folder / "none.hdr"); }), "none.hdr", "no such file");
-    CHECK_ERROR(error_of([&] { read_bitmap(folder.path.string()); }), "is a folder");
+    CHECK_ERROR(error_of([&] { read_bitmap(text_of(folder.path)); }), "is a folder");
     CHECK_ERROR(error_of_reading(folder, "empty.png", ""), "empty.png", "is empty");
     CHECK_ERROR(error_of_reading(folder, "noise.png", "no picture at all"), "noise.png", "damaged");
     CHECK_ERROR(error_of_reading(folder, "gif.png", "GIF89a\1\0\1\0\0\0\0;"), "gif.png", "damaged");
@@ -613,5 +608,5 @@ TEST_CASE("discarding an unfinished file does nothing if there is none") {
 }
 
 TEST_CASE("a path is printed in full") {
-    CHECK(absolute_path("renders/../a.png") == (fs::current_path() / "a.png").string());
+    CHECK(absolute_path("renders/../a.png") == text_of(fs::current_path() / "a.png"));
 }

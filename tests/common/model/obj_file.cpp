@@ -1,5 +1,6 @@
 // Facts about OBJ files: valid input is read correctly, and an error names its file and line.
 #include "common/model/obj_file.h"
+#include "common/util/paths.h"
 
 #include "common/util/error.h"
 #include "common/model/obj/polygon.h"
@@ -293,7 +294,7 @@ TEST_CASE("a number that is invalid or too large for a double is an error with f
 TEST_CASE("a file that is missing, a folder, empty or without faces is an error") {
     const Folder folder;
     CHECK_ERROR(error_of([&] { read_obj(folder / "none.obj"); }), "none.obj", "no such file");
-    CHECK_ERROR(error_of([&] { read_obj(folder.path.string()); }), "is a folder");
+    CHECK_ERROR(error_of([&] { read_obj(text_of(folder.path)); }), "is a folder");
     CHECK_ERROR(error_of_text(""), "a.obj: is empty");
     CHECK_ERROR(error_of_text(four), "a.obj: has no faces");
     CHECK_ERROR(error_of_text("\n"), "no faces");

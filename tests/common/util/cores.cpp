@@ -2,16 +2,13 @@
 #include "common/util/cores.h"
 
 #include "common/render/render.h"
+#include "common/util/system.h"
+#include "tests/posix.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <thread>
-
-#if defined(__linux__)
-#include <sched.h>
-#include <sys/resource.h>
-#endif
 
 TEST_CASE("a control group's quota is the number of cores rounded up") {
     CHECK(rt::cores_of_quota("200000 100000") == 2);

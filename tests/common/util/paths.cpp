@@ -2,6 +2,7 @@
 #include "common/util/paths.h"
 
 #include "common/util/error.h"
+#include "common/util/system.h"
 
 #include <doctest/doctest.h>
 
@@ -10,8 +11,6 @@
 #include <fstream>
 #include <random>
 #include <string>
-
-#if !defined(_WIN32)
 
 namespace {
 
@@ -25,13 +24,10 @@ class ChosenFolder {
         fs::create_directories(path / "a_folder.obj");
         std::ofstream(path / "mine.obj") << "v 0 0 0\n";
         if (const char* const before = std::getenv("RAYSTEPS_ASSETS")) old = before;
-        setenv("RAYSTEPS_ASSETS", path.c_str(), 1);
+        rt::set_environment("RAYSTEPS_ASSETS", rt::text_of(path));
     }
     ~ChosenFolder() {
-        if (old.empty())
-            unsetenv("RAYSTEPS_ASSETS");
-        else
-            setenv("RAYSTEPS_ASSETS", old.c_str(), 1);
+        rt::set_environment("RAYSTEPS_ASSETS", old);
         std::error_code ignored;
         fs::remove_all(path, ignored);
     }
@@ -48,7 +44,7 @@ class ChosenFolder {
 
 TEST_CASE("an asset is found in the folder that RAYSTEPS_ASSETS names") {
     const ChosenFolder folder;
-    CHECK(rt::asset_path("mine.obj") == (folder.path / "mine.obj").string());
+    CHECK(rt::asset_path("mine.obj") == rt::text_of(folder.path / "mine.obj"));
 }
 
 TEST_CASE("a missing asset is an error that names every path tried") {
@@ -61,10 +57,8 @@ TEST_CASE("a missing asset is an error that names every path tried") {
         } catch (const rt::Error& error) {
             message = error.what();
         }
-        CHECK(message.find("tried " + (folder.path / name).string() + ", ") != std::string::npos);
+        CHECK(message.find("tried " + rt::text_of(folder.path / name) + ", ") != std::string::npos);
         CHECK(message.find("assets/" + name) != std::string::npos);
         CHECK(message.find("RAYSTEPS_ASSETS") != std::string::npos);
     }
 }
-
-#endif

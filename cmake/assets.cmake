@@ -1,0 +1,16 @@
+# Regenerates the committed assets and compares: meshes byte by byte, pictures by pixels (PNG compression may differ).
+# cmake -D MAKE_ASSETS=... -D COMPARE=... -D "EMULATOR=wine64" -D ASSETS=folder -D OUT=folder -P assets.cmake
+file(REMOVE_RECURSE ${OUT})
+file(MAKE_DIRECTORY ${OUT})
+execute_process(COMMAND ${EMULATOR} ${MAKE_ASSETS} all --out ${OUT} COMMAND_ERROR_IS_FATAL ANY)
+file(GLOB names RELATIVE ${OUT} ${OUT}/*)
+foreach(name IN LISTS names)
+    set(same ${CMAKE_COMMAND} -E compare_files)
+    if(name MATCHES "\\.png$")
+        set(same ${EMULATOR} ${COMPARE})
+    endif()
+    execute_process(COMMAND ${same} ${OUT}/${name} ${ASSETS}/${name} RESULT_VARIABLE different)
+    if(different)
+        message(SEND_ERROR "${name} differs from the output of make_assets: regenerate it, or fix make_assets")
+    endif()
+endforeach()

@@ -1,0 +1,66 @@
+// Facts about running other programs, on every system: this program plays them, as one of the roles below.
+#include "common/util/error.h"
+#include "tools/tutor/system.h"
+
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <iostream>
+
+using namespace rt;
+using namespace rt::tutor;
+
+TEST_CASE("role: ends with 3" * doctest::skip()) {
+    std::cout << "to stdout" << std::endl;
+    std::cerr << "to stderr" << std::endl;
+    std::exit(3);
+}
+
+TEST_CASE("role: C:\\a folder\\ \"in quotes\\\"" * doctest::skip()) {
+    std::exit(4);
+}
+
+TEST_CASE("role: reads what is not there" * doctest::skip()) {
+    volatile int* const nowhere = nullptr;
+    std::exit(*nowhere);
+}
+
+TEST_CASE("role: never ends" * doctest::skip()) {
+    for (volatile unsigned i = 0;; i = i + 1) {
+    }
+}
+
+namespace {
+
+ProcessResult run_role(const std::string& role, ProcessOptions options = {}) {
+    std::string filter = "--test-case=role: " + role;
+    for (std::size_t i = 0; (i = filter.find('\\', i)) != filter.npos; i += 2)
+        filter.insert(i, "\\"); // doctest's escape
+    std::string ignored;
+    if (!options.output) options.output = &ignored;
+    options.log = "/dev/null";
+    return run_process({RT_TEST_TUTOR, "--no-skip", filter}, options);
+}
+
+} // namespace
+
+TEST_CASE("the exit code and the output of a program are returned") {
+    std::string output;
+    CHECK(run_role("ends with 3", {.output = &output}).code == 3);
+    CHECK(output.find("to stdout") != output.npos);
+    CHECK(output.find("to stderr") == output.npos);
+    CHECK_THROWS_AS(run_process({"/nowhere/at/all"}), Error);
+}
+
+TEST_CASE("words with blanks and quotes and backslashes arrive as they were") {
+    CHECK(run_role("C:\\a folder\\ \"in quotes\\\"").code == 4);
+}
+
+TEST_CASE("a crash is named in words") {
+    CHECK(run_role("reads what is not there").crash.find("invalid memory access") != std::string::npos);
+}
+
+TEST_CASE("a program that never ends is stopped by a limit of time or of processor time") {
+    CHECK(run_role("never ends", {.seconds = 1}).timed_out);
+    CHECK(run_role("never ends", {.cpu_seconds = 1}).timed_out);
+}
