@@ -35,7 +35,7 @@ std::set<std::string> checks_of(const Signature& signature) {
     return checks;
 }
 
-/// Whether the same assertion fails with the same value, and about as often: rounding may change a few rays of many.
+/// Whether two failures of an assertion agree: rounding may change how often by a few rays of many.
 bool agree(const FailedAssertion& a, const FailedAssertion& b) {
     return a.values == b.values && double(std::min(a.times, b.times)) >= nearly * std::max(a.times, b.times);
 }

@@ -92,10 +92,10 @@ struct Diagnosis {
     Words suspects;                     ///< the functions in which that check may hang, if known
 };
 
-/// Diagnoses the results of the checks. The name of a mistake must explain what is red: nearly all failures are its
-/// own, half of its own are there, and none of them has another value or comes much more or less often. It is certain
-/// only if nothing differs. More than two names are none. If a check does not finish, no mistake is named, because the
-/// results are incomplete.
+/// Diagnoses the results of the checks. The name of a mistake must explain what is red: nearly all failures
+/// are its own, half of its own are there, and none of them has another value or comes much more or less
+/// often. It is certain only if nothing differs. More than two names are none. If a check does not finish, no
+/// mistake is named, because the results are incomplete.
 Diagnosis diagnose(const std::vector<Signature>& known, const std::vector<CheckResult>& results);
 
 /// Returns "certain", "likely", "possible" or "no known mistake".
