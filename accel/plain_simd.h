@@ -1,4 +1,4 @@
-// Lanes of numbers without SIMD, for compilers that have no vectors of their own: slow, with the same results.
+// Lanes of numbers without SIMD: slow, with the same results, and what simd.h needs of other compilers.
 #pragma once
 
 #include <concepts>

@@ -1,13 +1,13 @@
 // SIMD vectors: as many numbers as a register of the machine holds, computed with one instruction.
 // GCC and Clang provide vectors for every machine: 16 floats with AVX-512, 8 with AVX, 4 with SSE or
-// NEON; elsewhere 4 scalars. Other compilers, and RAYSTEPS_ROWS=plain, have the 4 lanes of plain_simd.h.
+// NEON; elsewhere 4 scalars. With RAYSTEPS_ROWS=plain, the 4 lanes of plain_simd.h.
 #pragma once
 
 #include <bit>
 #include <cstddef>
 #include <cstdint>
 
-#if defined(RT_PLAIN_ROWS) || !defined(__GNUC__)
+#ifdef RT_PLAIN_ROWS
 #include "accel/plain_simd.h"
 #define RT_REGISTER 0 // its bits
 #elif defined(__AVX512F__)
