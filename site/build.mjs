@@ -55,14 +55,16 @@ const written = (name, text) => {
     writeFileSync(join(out, name), text);
 };
 
-/** The README's table of chapters as cards, under a picture that is alive. */
+/** The README's table of chapters as cards, in place of the contact sheet. */
 function front_page(pages) {
     const { html, pictures, headings } = chapter(join(root, 'README.md'), { terms: false });
     const cards = [...html.matchAll(/<tr>\s*<td><a href="(\d\d_\w+\.html)">(<img [^>]*>)<\/a><\/td>\s*<td><strong>.*?<\/strong> — (.*?)<br>\s*([\s\S]*?)<\/td>\s*<\/tr>/g)]
         .map(([, href, image, question, text]) => `<li><a class="card" href="${href}">${image.replace(/alt="[^"]*"/, 'alt=""')}<b>${pages.find((page) => page.name === href).label}</b><span>${question}</span></a><p>${text}</p></li>`);
     const table = /<div class="table"[^>]*><table>[\s\S]*?<\/table><\/div>/;
-    const body = html.replace(table, `<ul class="cards">${cards.join('\n')}</ul>`);
-    return { title: 'A path tracer in eight steps', html: body, pictures, headings };
+    const chapters = /<h2 id="the-eight-chapters"[\s\S]*?(?=<h2 )/;
+    const first = html.match(chapters)[0].replace(table, `<ul class="cards">${cards.join('\n')}</ul>`);
+    const sheet = /<p><img [^>]*contact_sheet[^>]*><\/p>/;
+    return { title: 'A path tracer in eight steps', html: html.replace(chapters, '').replace(sheet, first), pictures, headings };
 }
 
 /** Ids of the glossary's rows, so that terms can be linked to. */
@@ -87,12 +89,13 @@ function write_search(pages) {
 
 /** All chapters as one page, to print: ids get the page's name in front. */
 function book(pages) {
-    const names = new Set(pages.map((page) => page.name));
-    const sections = pages.filter((page) => !/change|contrib/.test(page.name)).map((page) => {
+    const printed = pages.filter((page) => !/change|contrib/.test(page.name));
+    const names = new Set(printed.map((page) => page.name));
+    const sections = printed.map((page) => {
         const own = page.name.replace('.html', '');
         return `<section class="chapter" id="${own}">${page.html.replace(/ id="([^"]+)"/g, ` id="${own}--$1"`)
             .replace(/href="#([^"]+)"/g, `href="#${own}--$1"`)
-            .replace(/href="(\w+)\.html#([^"]+)"/g, 'href="#$1--$2"')
+            .replace(/href="(\w+)\.html#([^"]+)"/g, (all, name, id) => (names.has(`${name}.html`) ? `href="#${name}--${id}"` : all))
             .replace(/href="(\w+\.html)"/g, (all, name) => (names.has(name) ? `href="#${name.replace('.html', '')}"` : all))
             .replaceAll(' loading="lazy"', '').replaceAll('<details>', '<details open>')}</section>`;
     });
