@@ -1,4 +1,4 @@
-// Builds the web edition: node site/build.mjs [--out FOLDER] [--steps 01,02] [--pages-only] [--no-mistakes]
+// Builds the web edition: node site/build.mjs [--out FOLDER] [--mistakes 01,02|none|all] [--pages-only]
 import { copyFileSync, cpSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { parseArgs } from 'node:util';
@@ -14,11 +14,11 @@ import { steps } from './wasm.mjs';
 
 const { values: wanted } = parseArgs({ options: {
     out: { type: 'string', default: join(root, 'build/web/site') },
-    steps: { type: 'string', default: steps.map((step) => step.slice(0, 2)).join(',') },
+    mistakes: { type: 'string', default: process.env.RAYSTEPS_WEB_MISTAKES ?? '01,02,03,04' }, // all: ten minutes more
     'pages-only': { type: 'boolean', default: false },
-    'no-mistakes': { type: 'boolean', default: false },
 } });
-const out = wanted.out;
+const { out } = wanted;
+const with_puzzles = steps.filter((step) => wanted.mistakes === 'all' || wanted.mistakes.split(',').includes(step.slice(0, 2)));
 
 /** What is live in a chapter whose text does not say so. */
 const usual = {
@@ -119,7 +119,7 @@ function write_pages() {
     const front = front_page(pages);
     for (const page of pages) {
         if (page.name === 'glossary.html') page.html = with_term_ids(page.html);
-        const body = page.step ? page.html.replace(/(<div class="gallery"[\s\S]*<\/figure>\n<\/div>)/, `$1\n<section class="quiz" data-step="${page.step}"></section>`) : page.html;
+        const body = with_puzzles.includes(page.step) ? page.html.replace(/(<div class="gallery"[\s\S]*<\/figure>\n<\/div>)/, `$1\n<section class="quiz" data-step="${page.step}"></section>`) : page.html;
         written(page.name, framed({ ...page, body, pages, scripts: page.step ? live_scripts : [], kind: page.part }));
     }
     written('index.html', framed({ ...front, name: 'index.html', body: front.html, pages, kind: 'front' }));
@@ -140,7 +140,5 @@ function write_pages() {
 mkdirSync(out, { recursive: true });
 for (const name of ['code', 'docs', 'exercises', 'assets']) rmSync(join(out, name), { recursive: true, force: true });
 console.log(write_pages());
-if (!wanted['pages-only'])
-    await write_scripts(out, steps.filter((step) => wanted.steps.split(',').includes(step.slice(0, 2))),
-        { with_mistakes: !wanted['no-mistakes'], say: console.log });
+if (!wanted['pages-only']) await write_scripts(out, steps, with_puzzles, console.log);
 console.log(`wrote ${join(out, 'index.html')}`);

@@ -193,7 +193,7 @@
             able();
             await enliven(figure);
         } catch (problem) {
-            fail(figure, problem instanceof WebAssembly.CompileError ? new Error('this browser has no WebAssembly with SIMD') : problem);
+            fail(figure, problem.name === 'CompileError' ? new Error('this browser has no WebAssembly with SIMD') : problem);
         }
     };
 

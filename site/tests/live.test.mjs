@@ -43,9 +43,9 @@ test('every control goes to both ends by keyboard', { skip }, async () => {
 });
 
 test('a wrong option is told in the words of the program and the still picture stays', { skip }, async () => {
-    const page = await open_page('02_shadows.html');
+    const page = await open_page('07_antialias.html');
     await page.evaluate(() => { document.querySelector('figure.live').dataset.words = '--from 1,1,1 --at 1,1,1'; });
-    await page.evaluate(() => document.querySelector('figure.live').scrollIntoView({ behavior: 'instant' }));
+    await page.locator('figure.live .begin').click();
     await page.waitForSelector('figure.live[data-problem]');
     assert.match(await page.locator('figure.live .state.problem').textContent(), /--from and --at are the same point: move one of them/);
     assert.equal(await page.locator('figure.live > img').count(), 1);
