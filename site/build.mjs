@@ -1,4 +1,4 @@
-// Builds the web edition: node site/build.mjs [--out FOLDER] [--steps 01,02] [--pages-only] [--no-mistakes]
+// Builds the web edition: node site/build.mjs [--out FOLDER] [--mistakes 01,02|none|all] [--pages-only]
 import { copyFileSync, cpSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { parseArgs } from 'node:util';
@@ -14,11 +14,11 @@ import { steps } from './wasm.mjs';
 
 const { values: wanted } = parseArgs({ options: {
     out: { type: 'string', default: join(root, 'build/web/site') },
-    steps: { type: 'string', default: steps.map((step) => step.slice(0, 2)).join(',') },
+    mistakes: { type: 'string', default: process.env.RAYSTEPS_WEB_MISTAKES ?? '01,02,03,04' }, // all: ten minutes more
     'pages-only': { type: 'boolean', default: false },
-    'no-mistakes': { type: 'boolean', default: false },
 } });
-const out = wanted.out;
+const { out } = wanted;
+const with_puzzles = steps.filter((step) => wanted.mistakes === 'all' || wanted.mistakes.split(',').includes(step.slice(0, 2)));
 
 /** What is live in a chapter whose text does not say so. */
 const usual = {
@@ -55,14 +55,16 @@ const written = (name, text) => {
     writeFileSync(join(out, name), text);
 };
 
-/** The README's table of chapters as cards, under a picture that is alive. */
+/** The README's table of chapters as cards, in place of the contact sheet. */
 function front_page(pages) {
     const { html, pictures, headings } = chapter(join(root, 'README.md'), { terms: false });
     const cards = [...html.matchAll(/<tr>\s*<td><a href="(\d\d_\w+\.html)">(<img [^>]*>)<\/a><\/td>\s*<td><strong>.*?<\/strong> — (.*?)<br>\s*([\s\S]*?)<\/td>\s*<\/tr>/g)]
         .map(([, href, image, question, text]) => `<li><a class="card" href="${href}">${image.replace(/alt="[^"]*"/, 'alt=""')}<b>${pages.find((page) => page.name === href).label}</b><span>${question}</span></a><p>${text}</p></li>`);
     const table = /<div class="table"[^>]*><table>[\s\S]*?<\/table><\/div>/;
-    const body = html.replace(table, `<ul class="cards">${cards.join('\n')}</ul>`);
-    return { title: 'A path tracer in eight steps', html: body, pictures, headings };
+    const chapters = /<h2 id="the-eight-chapters"[\s\S]*?(?=<h2 )/;
+    const first = html.match(chapters)[0].replace(table, `<ul class="cards">${cards.join('\n')}</ul>`);
+    const sheet = /<p><img [^>]*contact_sheet[^>]*><\/p>/;
+    return { title: 'A path tracer in eight steps', html: html.replace(chapters, '').replace(sheet, first), pictures, headings };
 }
 
 /** Ids of the glossary's rows, so that terms can be linked to. */
@@ -87,12 +89,13 @@ function write_search(pages) {
 
 /** All chapters as one page, to print: ids get the page's name in front. */
 function book(pages) {
-    const names = new Set(pages.map((page) => page.name));
-    const sections = pages.filter((page) => !/change|contrib/.test(page.name)).map((page) => {
+    const printed = pages.filter((page) => !/change|contrib/.test(page.name));
+    const names = new Set(printed.map((page) => page.name));
+    const sections = printed.map((page) => {
         const own = page.name.replace('.html', '');
         return `<section class="chapter" id="${own}">${page.html.replace(/ id="([^"]+)"/g, ` id="${own}--$1"`)
             .replace(/href="#([^"]+)"/g, `href="#${own}--$1"`)
-            .replace(/href="(\w+)\.html#([^"]+)"/g, 'href="#$1--$2"')
+            .replace(/href="(\w+)\.html#([^"]+)"/g, (all, name, id) => (names.has(`${name}.html`) ? `href="#${name}--${id}"` : all))
             .replace(/href="(\w+\.html)"/g, (all, name) => (names.has(name) ? `href="#${name.replace('.html', '')}"` : all))
             .replaceAll(' loading="lazy"', '').replaceAll('<details>', '<details open>')}</section>`;
     });
@@ -116,7 +119,7 @@ function write_pages() {
     const front = front_page(pages);
     for (const page of pages) {
         if (page.name === 'glossary.html') page.html = with_term_ids(page.html);
-        const body = page.step ? page.html.replace(/(<div class="gallery"[\s\S]*<\/figure>\n<\/div>)/, `$1\n<section class="quiz" data-step="${page.step}"></section>`) : page.html;
+        const body = with_puzzles.includes(page.step) ? page.html.replace(/(<div class="gallery"[\s\S]*<\/figure>\n<\/div>)/, `$1\n<section class="quiz" data-step="${page.step}"></section>`) : page.html;
         written(page.name, framed({ ...page, body, pages, scripts: page.step ? live_scripts : [], kind: page.part }));
     }
     written('index.html', framed({ ...front, name: 'index.html', body: front.html, pages, kind: 'front' }));
@@ -137,7 +140,5 @@ function write_pages() {
 mkdirSync(out, { recursive: true });
 for (const name of ['code', 'docs', 'exercises', 'assets']) rmSync(join(out, name), { recursive: true, force: true });
 console.log(write_pages());
-if (!wanted['pages-only'])
-    await write_scripts(out, steps.filter((step) => wanted.steps.split(',').includes(step.slice(0, 2))),
-        { with_mistakes: !wanted['no-mistakes'], say: console.log });
+if (!wanted['pages-only']) await write_scripts(out, steps, with_puzzles, console.log);
 console.log(`wrote ${join(out, 'index.html')}`);

@@ -13,6 +13,9 @@ link_terms(md);
 
 export const inline = (text) => md.renderInline(text, {});
 
+/** With a capital, unless it begins with a name of one letter, as in "y grows downward". */
+const sentence = (text) => (/^\w\b/.test(text) ? text : text[0].toUpperCase() + text.slice(1));
+
 const code_link = (file) => (files.has(file) ? `<a href="${page_of(file)}">${escaped(file)}</a>` : escaped(file));
 
 /** What a mistake looks like: right and wrong one over the other, and below it a fold with the line. */
@@ -20,13 +23,13 @@ function mistake_html(step, mistake) {
     const picture = (name, alt) => `<img src="exercises/${step}/gallery/${name}.png" alt="${alt}">`;
     const pair = `<div class="compare">${picture('right', 'right')}${picture(mistake.id, `wrong: ${escaped(mistake.title)}`)}</div>`;
     return `<figure class="mistake">${mistake.picture ? pair : ''}
-<figcaption><strong>${inline(mistake.title[0].toUpperCase() + mistake.title.slice(1))}.</strong> ${inline(mistake.shows)}</figcaption>
+<figcaption><strong>${inline(sentence(mistake.title))}.</strong> ${inline(sentence(mistake.shows))}</figcaption>
 ${line_html(mistake)}</figure>`;
 }
 
 const line_html = (mistake) => `<details><summary>Which line is it, and why?</summary>
 <p class="source">${code_link(`steps/${mistake.file}`)}</p><pre class="diff" tabindex="0"><code>${highlighted(mistake.lines.join('\n'), 'diff')}</code></pre>
-<p>${inline(mistake.why)}</p><p><em>Fix:</em> ${inline(mistake.fix)}</p></details>`;
+<p>${inline(sentence(mistake.why))}</p><p><em>Fix:</em> ${inline(mistake.fix)}</p></details>`;
 
 function gallery(argument) {
     const [step, ...ids] = argument.split(' ');

@@ -35,7 +35,7 @@ export async function packed_assets() {
 }
 
 /** Writes step_*.js, asset_*.js and mistakes_*.js; answers their sizes. */
-export async function write_scripts(out, steps, { with_mistakes = true, say = () => {} } = {}) {
+export async function write_scripts(out, steps, with_mistakes, say) {
     const folder = await packed_assets();
     for (const name of new Set(steps.flatMap((step) => assets[step] ?? [])))
         writeFileSync(join(out, `asset_${name}.js`), script('assets', name, packed(readFileSync(join(folder, name)))));
@@ -43,8 +43,7 @@ export async function write_scripts(out, steps, { with_mistakes = true, say = ()
         writeFileSync(join(out, `step_${step}.js`), script('steps', step, { wasm: packed(await program(step)), files: assets[step] ?? [] }));
         say(`${step}: program`);
     }));
-    if (!with_mistakes) return;
-    for (const step of steps) {
+    for (const step of with_mistakes) {
         const { list, patches } = await switches(step);
         writeFileSync(join(out, `mistakes_${step}.js`), script('mistakes', step, { list, patches: patches.toString('base64') }));
         say(`${step}: ${list.length} mistakes`);

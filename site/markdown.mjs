@@ -51,12 +51,13 @@ export function reader(code = highlighted) {
         if (language === 'math') return `<div class="math" tabindex="0">${math(content, true)}</div>\n`;
         return `<pre class="${language || 'text'}" tabindex="0"><code>${code(content, language, env)}</code></pre>\n`;
     };
+    md.renderer.rules.code_block = (tokens, i) => `<pre class="text" tabindex="0"><code>${escaped(tokens[i].content)}</code></pre>\n`;
     let tables = 0;
     md.renderer.rules.table_open = () => `<div class="table" tabindex="0" role="region" aria-label="Table ${++tables}"><table>\n`;
     md.renderer.rules.table_close = () => '</table></div>\n';
     return md;
 }
 
-/** A table's header that has nothing to say is left out. */
+/** A table's header that has nothing to say is left out; one that is a formula alone is no header for a screen reader. */
 export const without_empty_headers = (html) => html.replace(/<thead>\s*<tr>\s*(<th[^>]*><\/th>\s*)+<\/tr>\s*<\/thead>/g, '')
-    .replace(/<th([^>]*)><\/th>/g, '<td$1></td>');
+    .replace(/<th([^>]*)>(<span class="katex">(?:(?!<\/?th)[\s\S])*)?<\/th>/g, '<td class="head"$1>$2</td>');

@@ -7,16 +7,18 @@
     /** The controls of one option of the program; `change` is called with the words for the command line, or none. */
     function control({ name, kind, low, high, initial, names, help }, change) {
         const label = made('label', { title: help }, made('span', { textContent: name.replaceAll('-', ' ') }));
+        const about = made('small', { textContent: help });
         if (kind === 'flag') {
             const input = made('input', { type: 'checkbox', onchange: () => change(input.checked ? [`--${name}`] : []) });
             label.className = 'flag';
             label.prepend(input);
+            label.append(about);
             return { label, reset: () => { input.checked = false; } };
         }
         if (kind === 'choice') {
             const select = made('select', { onchange: () => change(select.value === initial ? [] : [`--${name}`, select.value]) },
                 ...names.map((each) => made('option', { textContent: each, selected: each === initial })));
-            label.append(select);
+            label.append(select, about);
             return { label, reset: () => { select.value = initial; } };
         }
         // A wide range is shown up to a few times the default: the terminal has the rest.
@@ -28,7 +30,7 @@
             output.textContent = value;
             change(value === initial ? [] : [`--${name}`, String(value)]);
         };
-        label.append(output, input);
+        label.append(output, input, about);
         return { label, reset: () => { input.value = initial; output.textContent = initial; } };
     }
 
@@ -191,7 +193,7 @@
             able();
             await enliven(figure);
         } catch (problem) {
-            fail(figure, problem instanceof WebAssembly.CompileError ? new Error('this browser has no WebAssembly with SIMD') : problem);
+            fail(figure, problem.name === 'CompileError' ? new Error('this browser has no WebAssembly with SIMD') : problem);
         }
     };
 
