@@ -3,6 +3,7 @@
 
 #include "common/util/error.h"
 #include "common/util/file_bytes.h"
+#include "common/util/paths.h"
 
 #include <cstdint>
 
