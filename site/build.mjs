@@ -23,9 +23,9 @@ const with_puzzles = steps.filter((step) => wanted.mistakes === 'all' || wanted.
 /** What is live in a chapter whose text does not say so. */
 const usual = {
     '01_spheres': '01_spheres --options radius,squares,view',
-    '02_shadows': '02_shadows --options warm,cool,view',
-    '03_mirror': '03_mirror --options depth,reflectivity,view',
-    '04_refraction': '04_refraction --options ior,bubble,depth,view',
+    '02_shadows': '02_shadows --options warm,cool,view --trace',
+    '03_mirror': '03_mirror --options depth,reflectivity,view --trace',
+    '04_refraction': '04_refraction --options ior,bubble,depth,view --trace',
     '05_mesh_bvh': '05_mesh_bvh --options view --accel wide',
     '06_textures': '06_textures --options view --accel wide',
     '07_antialias': '07_antialias --options sampler,filter,aperture',
@@ -43,7 +43,7 @@ function read_pages() {
     const pages = sources.map((file) => {
         const step = steps.find((name) => file.endsWith(`/${name}.md`));
         const name = page_name(file);
-        return { name, file, step, part: step ? 'chapter' : 'appendix',
+        return { name, file, step, part: step ? 'chapter' : file.includes('/docs/') ? 'appendix' : 'other',
             ...chapter(file, { terms: name !== 'glossary.html' && !/log|contrib/.test(name), default_live: step ? usual[step] : '' }) };
     });
     for (const page of pages) page.label = label(page.title);
@@ -112,7 +112,7 @@ function copy_library_files() {
     for (const name of readdirSync(join(here, 'page'))) copyFileSync(join(here, 'page', name), join(out, name));
 }
 
-const live_scripts = ['program.js', 'worker.js', 'view.js', 'camera.js', 'live.js', 'quiz.js'];
+const live_scripts = ['program.js', 'worker.js', 'view.js', 'camera.js', 'rays.js', 'live.js', 'quiz.js'];
 
 function write_pages() {
     const pages = read_pages();

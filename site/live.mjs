@@ -7,6 +7,7 @@ import { promisify } from 'node:util';
 import { gzipSync } from 'node:zlib';
 import { switches } from './mistakes.mjs';
 import { root } from './places.mjs';
+import { traced_patch } from './traces.mjs';
 import { program } from './wasm.mjs';
 
 const run = promisify(execFile);
@@ -41,6 +42,7 @@ export async function write_scripts(out, steps, with_mistakes, say) {
         writeFileSync(join(out, `asset_${name}.js`), script('assets', name, packed(readFileSync(join(folder, name)))));
     await Promise.all(steps.map(async (step) => {
         writeFileSync(join(out, `step_${step}.js`), script('steps', step, { wasm: packed(await program(step)), files: assets[step] ?? [] }));
+        writeFileSync(join(out, `trace_${step}.js`), script('traces', step, packed(await traced_patch(step))));
         say(`${step}: program`);
     }));
     for (const step of with_mistakes) {

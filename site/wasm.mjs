@@ -4,7 +4,7 @@ import { execFile } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readFileSync, readdirSync, renameSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
-import { dirname, join } from 'node:path';
+import { dirname, join, relative } from 'node:path';
 import { promisify } from 'node:util';
 import { root } from './places.mjs';
 
@@ -52,7 +52,8 @@ const limit = (() => { // runs so many compilers at a time
 /** Runs the compiler on a source, unless what it makes is there already, and answers where that is. */
 async function compiled(source, { options, overlay, ending, mode }) {
     version ??= (await run(compiler, ['--version'])).stdout;
-    const key = hash(version, ...flags, ...options, ...mode, ...[...closure(source, overlay)].flat());
+    const included = mode.filter((option) => option.endsWith('.h')).flatMap((path) => [...closure(relative(root, path), overlay)].flat());
+    const key = hash(version, ...flags, ...options, ...mode, ...included, ...[...closure(source, overlay)].flat());
     const path = join(work, 'objects', `${source.replaceAll('/', '_').replace(/\.\w+$/, '')}.${key}.${ending}`);
     if (existsSync(path)) return path;
     const folder = `${path}.overlay`, fresh = `${path}.${process.pid}`, glm = join(work, 'include');
@@ -75,11 +76,12 @@ const ahead = new Map(); // by options: what most steps include, parsed once
 /** Compiles a source and answers the path of its object. */
 async function object(source, options, overlay = new Map()) {
     if (!source.startsWith('steps/')) return compiled(source, { options, overlay, ending: 'o', mode: ['-c'] });
-    const own = [...options, '-Dmain=step_main'];
+    const own = [...options.filter((option) => option.startsWith('-m')), '-Dmain=step_main'];
     const key = own.join(' ');
     if (!ahead.has(key))
         ahead.set(key, compiled('common/pch.h', { options: own, overlay: new Map(), ending: 'pch', mode: ['-x', 'c++-header'] }));
-    return compiled(source, { options: own, overlay, ending: 'o', mode: ['-include-pch', await ahead.get(key), '-c'] });
+    const more = options.filter((option) => !own.includes(option));
+    return compiled(source, { options: own, overlay, ending: 'o', mode: ['-include-pch', await ahead.get(key), ...more, '-c'] });
 }
 
 /**
