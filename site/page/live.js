@@ -80,17 +80,16 @@
             this.figure.append(...(options.length ? [this.panel] : []), this.command, this.state);
         }
 
-        /** The words of the command line but for the size. */
-        words() {
-            const moved = this.camera === this.home ? [] : ['--from', this.camera.from.join(',')];
-            return [...this.fixed, ...[...this.chosen.values()].flat(), ...moved];
+        /** The words of the command line but for the size; without the camera's if `moved` is false. */
+        words({ moved = true } = {}) {
+            const from = !moved || this.camera === this.home ? [] : ['--from', this.camera.from.join(',')];
+            return [...this.fixed, ...[...this.chosen.values()].flat(), ...from];
         }
 
         /** The same with the size. */
         sized_words({ scale = 1, moved = true } = {}) {
             const size = ['width', 'height'].flatMap((name) => [`--${name}`, String(Math.round(this.size[name] / scale))]);
-            const words = this.words();
-            return [...size, '--samples', String(this.samples), ...(moved ? words : words.filter((word, i) => word !== '--from' && words[i - 1] !== '--from'))];
+            return [...size, '--samples', String(this.samples), ...this.words({ moved })];
         }
 
         /** The field of view, which an option may have changed. */

@@ -22,22 +22,30 @@
         return [pixel(cut(a, b, ahead[0], ahead[1])), pixel(cut(b, a, ahead[1], ahead[0]))];
     }
 
-    /** A camera beside the first ray, which looks at what it meets. */
-    function beside(live, first) {
-        const at = (first?.kind === 'surface' ? first.to : live.camera.at).map((x) => Number(x.toFixed(3)));
-        return { ...Page.walked({ from: live.camera.from, at }, { across: 1.1, upward: 0.15, far: 0.95 }), fov: 40 };
-    }
+    const place = ({ from, at, fov }) => ['--from', from.join(','), '--at', at.join(','), '--fov', String(fov)];
 
     /** {text, rays: [{from, to, kind, depth, line}]} of a pixel, by the program of ./learn trace. */
-    async function traced(live, x, y) {
+    async function traced(live, words, x, y) {
         const code = await Page.trace_of(live.step);
         let text = '';
         const rays = [], program = new Raysteps.Program(code.module, code.files, (more) => { text += more; });
         program.ray = (...numbers) => rays.push({ from: numbers.slice(0, 3), to: numbers.slice(3, 6), kind: kinds[numbers[6]],
             depth: numbers[7], line: text.split('\n').length - 1 });
-        program.start([...live.sized_words(), '--crop', `${x},${y},${x + 1},${y + 1}`]);
+        program.start([...words, '--crop', `${x},${y},${x + 1},${y + 1}`]);
         program.add_samples(x, y, x + 1, y + 1, 0, 1);
         return { text: text.trimEnd(), rays };
+    }
+
+    /** A camera beside the first ray that sees what this ray meets: nothing stands between. */
+    async function beside(live, words, first) {
+        const at = (first?.kind === 'surface' ? first.to : live.camera.at).map((x) => Number(x.toFixed(3)));
+        const all = [1.1, -1.1, 0.7, -0.7, 1.5].map((across) =>
+            ({ ...Page.walked({ from: live.camera.from, at }, { across, upward: 0.15, far: 0.95 }), fov: 40 }));
+        for (const camera of all) {
+            const { rays: [{ to }] } = await traced(live, [...words, ...place(camera)], live.size.width >> 1, live.size.height >> 1);
+            if (Math.hypot(...minus(to, at)) < 0.1 * Math.hypot(...minus(camera.from, at))) return camera;
+        }
+        return all[0];
     }
 
     const svg = (tag, attributes) => {
@@ -64,14 +72,14 @@
 
         async choose(x, y) {
             this.pixel = [x, y];
-            const { live } = this, { text, rays } = await traced(live, x, y);
+            const { live } = this, { text, rays } = await traced(live, live.sized_words(), x, y);
             if (!this.panel.isConnected) {
                 live.command.before(this.panel);
                 this.view = new View(this.canvas, live.code, () => {}, 1);
             }
-            this.side = beside(live, rays[0]);
-            const words = [...live.sized_words({ moved: false }), '--from', this.side.from.join(','), '--at', this.side.at.join(','), '--fov', String(this.side.fov)];
-            this.view.show({ words, ...live.size, samples: 2 });
+            const words = live.sized_words({ moved: false });
+            this.side = await beside(live, words, rays[0]);
+            this.view.show({ words: [...words, ...place(this.side)], ...live.size, samples: 2 });
             this.title.textContent = `Pixel ${x},${y}, its first sample: ${rays.length} ${rays.length === 1 ? 'ray' : 'rays'}. From the side:`;
             this.draw(rays);
             this.tell(text, rays);
