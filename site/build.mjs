@@ -32,6 +32,8 @@ const usual = {
     '08_indirect': '08_indirect --options direct,no-indirect,depth',
 };
 
+const explaining = { '01_sphere.svg': 'sphere_roots', '02_falloff.svg': 'lamp', '04_fresnel.svg': 'snell' };
+
 const sources = [
     ...readdirSync(join(root, 'docs')).filter((name) => name.endsWith('.md')).sort().map((name) => join(root, 'docs', name)),
     ...['accel/README.md', 'CONTRIBUTING.md', 'CHANGELOG.md'].map((name) => join(root, name)),
@@ -44,7 +46,7 @@ function read_pages() {
         const step = steps.find((name) => file.endsWith(`/${name}.md`));
         const name = page_name(file);
         return { name, file, step, part: step ? 'chapter' : file.includes('/docs/') ? 'appendix' : 'other',
-            ...chapter(file, { terms: name !== 'glossary.html' && !/log|contrib/.test(name), default_live: step ? usual[step] : '' }) };
+            ...chapter(file, { terms: name !== 'glossary.html' && !/log|contrib/.test(name), default_live: step ? { [`reference/${step}.png`]: usual[step], ...explaining } : {} }) };
     });
     for (const page of pages) page.label = label(page.title);
     return [...pages.filter((page) => page.step), ...pages.filter((page) => !page.step)];
@@ -112,7 +114,7 @@ function copy_library_files() {
     for (const name of readdirSync(join(here, 'page'))) copyFileSync(join(here, 'page', name), join(out, name));
 }
 
-const live_scripts = ['program.js', 'worker.js', 'view.js', 'camera.js', 'rays.js', 'live.js', 'quiz.js'];
+const live_scripts = ['program.js', 'worker.js', 'view.js', 'camera.js', 'rays.js', 'live.js', 'quiz.js', 'figures.js'];
 
 function write_pages() {
     const pages = read_pages();

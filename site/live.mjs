@@ -8,7 +8,7 @@ import { gzipSync } from 'node:zlib';
 import { switches } from './mistakes.mjs';
 import { root } from './places.mjs';
 import { traced_patch } from './traces.mjs';
-import { program } from './wasm.mjs';
+import { figures, program } from './wasm.mjs';
 
 const run = promisify(execFile);
 const packed = (bytes) => gzipSync(bytes, { level: 9 }).toString('base64');
@@ -45,6 +45,7 @@ export async function write_scripts(out, steps, with_mistakes, say) {
         writeFileSync(join(out, `trace_${step}.js`), script('traces', step, packed(await traced_patch(step))));
         say(`${step}: program`);
     }));
+    writeFileSync(join(out, 'drawings.js'), script('drawings', 'wasm', packed(await figures())));
     for (const step of with_mistakes) {
         const { list, patches } = await switches(step);
         writeFileSync(join(out, `mistakes_${step}.js`), script('mistakes', step, { list, patches: patches.toString('base64') }));

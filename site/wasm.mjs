@@ -84,6 +84,19 @@ async function object(source, options, overlay = new Map()) {
     return compiled(source, { options: own, overlay, ending: 'o', mode: ['-include-pch', await ahead.get(key), ...more, '-c'] });
 }
 
+/** Links objects, unless that has been done, and answers the program's bytes. */
+async function linked(name, objects) {
+    const path = join(work, 'objects', `${name}.${hash(...objects)}.wasm`);
+    if (!existsSync(path)) {
+        const link = ['-mexec-model=reactor', '-Wl,-z,stack-size=1048576', '-Wl,--strip-all', '-Wl,--gc-sections',
+            '-Wl,--export=__stack_pointer'];
+        const fresh = `${path}.${process.pid}`;
+        await limit(() => run(compiler, [...target, ...link, ...objects, '-o', fresh]));
+        renameSync(fresh, path);
+    }
+    return readFileSync(path);
+}
+
 /**
  * Builds a step's program and answers its bytes. `overlay` maps names as in "01_spheres/sphere.h" to changed texts,
  * and `options` are further ones of the compiler.
@@ -94,13 +107,12 @@ export async function program(step, overlay = new Map(), options = []) {
     const objects = await Promise.all([
         object(`steps/${step}/main.cpp`, own, overlay),
         ...sources.map((source) => object(source, usesModels(step) ? simd : []))]);
-    const path = join(work, 'objects', `${step}.${hash(...objects)}.wasm`);
-    if (!existsSync(path)) {
-        const link = ['-mexec-model=reactor', '-Wl,-z,stack-size=1048576', '-Wl,--strip-all', '-Wl,--gc-sections',
-            '-Wl,--export=__stack_pointer'];
-        const fresh = `${path}.${process.pid}`;
-        await limit(() => run(compiler, [...target, ...link, ...objects, '-o', fresh]));
-        renameSync(fresh, path);
-    }
-    return readFileSync(path);
+    return linked(step, objects);
+}
+
+/** Builds the program of the figures that explain, site/figures. */
+export async function figures() {
+    const own = readdirSync(join(root, 'site/figures')).filter((name) => name.endsWith('.cpp')).map((name) => `site/figures/${name}`);
+    const main = (source) => (source.endsWith('/main.cpp') ? ['-Dmain=step_main'] : []);
+    return linked('figures', await Promise.all([...own, ...outside].map((source) => object(source, main(source)))));
 }

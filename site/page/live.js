@@ -22,7 +22,7 @@
             return { label, reset: () => { select.value = initial; } };
         }
         // A wide range is shown up to a few times the default: the terminal has the rest.
-        const top = high > 8 * Math.max(1, initial) ? 4 * Math.max(1, initial) : high;
+        const top = low >= 0 && high > 8 * Math.max(1, initial) ? 4 * Math.max(1, initial) : high;
         const input = made('input', { type: 'range', min: low, max: top, step: kind === 'whole' ? 1 : 'any', value: initial });
         const output = made('output', { textContent: initial });
         input.oninput = () => {
@@ -228,5 +228,5 @@
             sight.observe(figure);
         }
     }
-    Object.assign(Page, { enliven });
+    Object.assign(Page, { enliven, control });
 })();

@@ -23,6 +23,7 @@ globalThis.makeRaysteps = () => {
                 declare: (at, size) => { this.declared = JSON.parse(this.#text(at, size)); },
                 ready: () => { throw new Left(); },
                 fail: (at, size) => { throw new Left(this.#text(at, size)); },
+                drawn: (svg, size, words, length) => this.drawn?.(this.#text(svg, size), this.#text(words, length)), // of a figure
                 ray: (...numbers) => this.ray?.(...numbers), // of a program that tells its rays
             };
         }

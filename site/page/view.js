@@ -116,5 +116,5 @@
         }
     }
 
-    Object.assign(Page, { step, mistakes_of, trace_of, View });
+    Object.assign(Page, { unpacked, step, mistakes_of, trace_of, View });
 })();

@@ -16,7 +16,7 @@ after(close_browser);
 
 test('no page is heavier than its budget', { skip: built }, () => {
     for (const name of names) assert.ok(weight(name) <= 40 * kib, `${name}: ${weight(name)} bytes`);
-    const own = ['site.css', 'site.js', 'program.js', 'worker.js', 'view.js', 'camera.js', 'rays.js', 'live.js', 'quiz.js'];
+    const own = ['site.css', 'site.js', 'program.js', 'worker.js', 'view.js', 'camera.js', 'rays.js', 'live.js', 'quiz.js', 'figures.js'];
     assert.ok(weight(...own) <= 20 * kib, `style and scripts: ${weight(...own)} bytes`);
     for (const name of readdirSync(site).filter((each) => each.startsWith('step_'))) {
         const [, wasm] = text_of(name).match(/"wasm":"([^"]+)"/);

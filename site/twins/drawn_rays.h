@@ -4,12 +4,15 @@
 #include "site/twins/page.h"
 #include "tools/trace/traced.h"
 
-extern "C" RT_PAGE_HAS(ray) void page_ray(float x0, float y0, float z0, float x1, float y1, float z1, int met, int depth);
+extern "C" RT_PAGE_HAS(ray) void page_ray(float x0, float y0, float z0, float x1, float y1, float z1, int met,
+                                          int depth);
 
 namespace rt::trace {
 
 inline const bool drawn = [] {
-    draw = [](vec3 from, vec3 to, Met met) { page_ray(from.x, from.y, from.z, to.x, to.y, to.z, int(met), depth); };
+    draw = [](vec3 from, vec3 to, Met met) {
+        page_ray(from.x, from.y, from.z, to.x, to.y, to.z, int(met), depth);
+    };
     return true;
 }();
 
