@@ -2,6 +2,7 @@
 (() => {
     const { made, script, View } = Page;
     const shown_width = 480, slow = 90; // pixels; milliseconds of a pass while dragging
+    const coarse = 3; // the very first pass has so many times fewer columns and rows
     const number = (value) => Number(value.toPrecision(3));
 
     /** The controls of one option of the program; `change` is called with the words for the command line, or none. */
@@ -137,6 +138,7 @@
             this.figure.dataset.first = milliseconds.toFixed(0);
             if (!this.stage.isConnected) {
                 if (this.image) this.image.replaceWith(this.stage); else this.figure.prepend(this.stage);
+                this.draw();
             }
         }
 
@@ -194,7 +196,7 @@
         const fixed = words?.split(' ').filter(Boolean) ?? [];
         const declared = new Raysteps.Program(code.module, code.files).start(fixed);
         const live = new Live(figure, more.code ?? code, declared, { step, options: options?.split(',').filter(Boolean), words: fixed });
-        live.draw();
+        live.draw(coarse);
         figure.sees = (seen) => (seen ? live.view.resume() : live.view.pause());
         sight.observe(figure);
         return live;
