@@ -96,7 +96,7 @@ export function place_on_site(href, from) {
 }
 
 /**
- * Answers {title, html, headings, pictures} of a file of Markdown. `default_live` has the arguments of live comments by
+ * Answers {title, html, headings, pictures, lives} of a file of Markdown. `default_live` has the arguments of live comments by
  * the end of a picture's path, for a text without any.
  */
 export function chapter(file, { terms = true, default_live = {} } = {}) {
@@ -123,5 +123,6 @@ export function chapter(file, { terms = true, default_live = {} } = {}) {
         return place ? `<a href="${place}">${text}</a>` : text;
     });
     const headings = [...html.matchAll(/<h([23]) id="([^"]+)"[^>]*>([\s\S]*?)<\/h\1>/g)].map(([, level, id, text]) => ({ level: Number(level), id, text: text.replace(/<a [^>]*>|<\/a>/g, '') }));
-    return { title: source.match(/^# (.*)/m)[1], source, html, headings, pictures };
+    const lives = [...wanted.matchAll(/^<!-- live: (.*?) -->$/gm)].map(([, argument]) => ({ file: relative(root, file), ...live_of(argument) }));
+    return { title: source.match(/^# (.*)/m)[1], source, html, headings, pictures, lives };
 }

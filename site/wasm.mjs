@@ -113,6 +113,6 @@ export async function program(step, overlay = new Map(), options = []) {
 /** Builds the program of the figures that explain, site/figures. */
 export async function figures() {
     const own = readdirSync(join(root, 'site/figures')).filter((name) => name.endsWith('.cpp')).map((name) => `site/figures/${name}`);
-    const main = (source) => (source.endsWith('/main.cpp') ? ['-Dmain=step_main'] : []);
-    return linked('figures', await Promise.all([...own, ...outside].map((source) => object(source, main(source)))));
+    const options = (source) => (source.endsWith('/main.cpp') ? ['-Oz', '-Dmain=step_main'] : ['-Oz']); // small: they draw little
+    return linked('figures', await Promise.all([...own, ...outside].map((source) => object(source, options(source)))));
 }

@@ -1,6 +1,7 @@
 // A drawing as SVG, and how the page gets it.
 #include "site/figures/drawing.h"
 
+#include "common/image/image.h"
 #include "site/twins/page.h"
 
 #include <array>
@@ -63,6 +64,14 @@ void Drawing::rectangle(vec2 low, vec2 high, const std::string& style) {
     const vec2 size = pixels * (high - low);
     svg += "<rect " + pair("x=", "y=", on_page(vec2(low.x, high.y))) + pair("width=", "height=", size) +
            styled(style);
+}
+
+void Drawing::square(vec2 low, vec2 high, vec3 colour) {
+    std::array<char, 64> fill{};
+    const auto percent = [](float linear) { return 100 * double(srgb_from_linear(linear)); };
+    std::snprintf(fill.data(), fill.size(), "\" style=\"fill:rgb(%.1f%% %.1f%% %.1f%%)", percent(colour.r),
+                  percent(colour.g), percent(colour.b));
+    rectangle(low, high, std::string("colour") + fill.data());
 }
 
 void Drawing::text(vec2 at, const std::string& words_here, const std::string& anchor) {

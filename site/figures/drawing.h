@@ -23,6 +23,8 @@ class Drawing {
     void circle(vec2 center, float radius, const std::string& style);
     void dot(vec2 center, const std::string& style);
     void rectangle(vec2 low, vec2 high, const std::string& style);
+    /// A filled rectangle in this linear colour.
+    void square(vec2 low, vec2 high, vec3 colour);
     /// `anchor`: start, middle or end.
     void text(vec2 at, const std::string& words, const std::string& anchor = "start");
     /// Adds a line to what the drawing says in words below it.

@@ -4,8 +4,13 @@
 namespace rt {
 
 /// Each parses a command line and shows one drawing.
+void camera(int argc, const char* const* argv);
 void sphere_roots(int argc, const char* const* argv);
 void lamp(int argc, const char* const* argv);
 void snell(int argc, const char* const* argv);
+void split(int argc, const char* const* argv);
+void texels(int argc, const char* const* argv);
+void samples(int argc, const char* const* argv);
+void lens(int argc, const char* const* argv);
 
 } // namespace rt
