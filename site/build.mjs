@@ -22,10 +22,10 @@ const with_puzzles = steps.filter((step) => wanted.mistakes === 'all' || wanted.
 
 /** What is live in the chapters whose text does not say so. */
 const usual = {
-    '01_spheres': '01_spheres --options radius,squares,view',
-    '05_mesh_bvh': '05_mesh_bvh --options view --accel wide',
-    '07_antialias': '07_antialias --options sampler,filter,aperture',
-    '08_indirect': '08_indirect --options direct,no-indirect,depth',
+    '01_spheres': '01_spheres --options radius,squares,view --trace',
+    '05_mesh_bvh': '05_mesh_bvh --options view --trace --accel wide',
+    '07_antialias': '07_antialias --options sampler,filter,aperture --trace',
+    '08_indirect': '08_indirect --options direct,no-indirect,depth --trace',
 };
 
 /** The pictures of chapters that explain by themselves. */

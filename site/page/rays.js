@@ -24,15 +24,30 @@
 
     const place = ({ from, at, fov }) => ['--from', from.join(','), '--at', at.join(','), '--fov', String(fov)];
 
+    const programs = new Map(), largest_memory = 3e8; // every start leaves its scene behind
+    async function program_of(step) {
+        const known = programs.get(step);
+        if (known && known.memory.buffer.byteLength < largest_memory) return known;
+        const code = await Page.trace_of(step);
+        programs.set(step, new Raysteps.Program(code.module, code.files, (more) => programs.get(step).print(more)));
+        return programs.get(step);
+    }
+
     /** {text, rays: [{from, to, kind, depth, line}]} of a pixel, by the program of ./learn trace. */
     async function traced(live, words, x, y) {
-        const code = await Page.trace_of(live.step);
+        const program = await program_of(live.step), rays = [];
         let text = '';
-        const rays = [], program = new Raysteps.Program(code.module, code.files, (more) => { text += more; });
+        program.print = (more) => { text += more; };
         program.ray = (...numbers) => rays.push({ from: numbers.slice(0, 3), to: numbers.slice(3, 6), kind: kinds[numbers[6]],
             depth: numbers[7], line: text.split('\n').length - 1 });
-        program.start([...words, '--crop', `${x},${y},${x + 1},${y + 1}`]);
-        program.add_samples(x, y, x + 1, y + 1, 0, 1);
+        try {
+            program.start([...words, '--crop', `${x},${y},${x + 1},${y + 1}`]);
+            program.exports.tell_next_sample();
+            program.add_samples(x, y, x + 1, y + 1, 0, 1);
+        } catch (problem) {
+            programs.delete(live.step);
+            throw problem;
+        }
         return { text: text.trimEnd(), rays };
     }
 

@@ -17,3 +17,9 @@ inline const bool drawn = [] {
 }();
 
 } // namespace rt::trace
+
+/// Makes the next sample the one that is told.
+RT_PAGE_CALLS(tell_next_sample) void tell_next_sample() {
+    rt::trace::samples = 0;
+    rt::trace::depth = 0;
+}
