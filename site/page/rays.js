@@ -54,8 +54,8 @@
     /** A camera beside the first ray that sees what this ray meets: nothing stands between. */
     async function beside(live, words, first) {
         const at = (first?.kind === 'surface' ? first.to : live.camera.at).map((x) => Number(x.toFixed(3)));
-        const all = [1.1, -1.1, 0.7, -0.7, 1.5].map((across) =>
-            ({ ...Page.walked({ from: live.camera.from, at }, { across, upward: 0.15, far: 0.95 }), fov: 40 }));
+        const all = [[1.1, 0.95], [-1.1, 0.95], [0.7, 0.95], [-0.7, 0.95], [0.7, 0.5], [-0.7, 0.5], [0.35, 0.8], [-0.35, 0.8]].map(([across, far]) =>
+            ({ ...Page.walked({ from: live.camera.from, at }, { across, upward: 0.15, far }), fov: far < 0.9 ? 60 : 40 }));
         for (const camera of all) {
             const { rays: [{ to }] } = await traced(live, [...words, ...place(camera)], live.size.width >> 1, live.size.height >> 1);
             if (Math.hypot(...minus(to, at)) < 0.1 * Math.hypot(...minus(camera.from, at))) return camera;
