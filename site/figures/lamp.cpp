@@ -10,7 +10,7 @@ namespace rt {
 
 void lamp(int argc, const char* const* argv) {
     Options options("lamp", "How much light of a lamp arrives?", {});
-    const float& height = options.option("height", 1.5f, 0.2f, 3.0f, "height of the lamp, metres");
+    const float& height = options.option("lamp-height", 1.5f, 0.2f, 3.0f, "height of the lamp, metres");
     const float& across =
         options.option("across", -1.0f, -3.5f, 3.5f, "where the lamp is, metres to the right");
     const float& watts = options.option("intensity", 5.0f, 1.0f, 20.0f, "intensity of the lamp, W/sr");

@@ -28,7 +28,7 @@ std::optional<float> mark(Drawing& drawing, const Sphere& sphere, const Ray& ray
 
 void sphere_roots(int argc, const char* const* argv) {
     Options options("sphere_roots", "Where does a ray meet a sphere?", {});
-    const float& height = options.option("height", 0.3f, -1.8f, 1.8f, "how high the ray starts, metres");
+    const float& height = options.option("ray-height", 0.3f, -1.8f, 1.8f, "how high the ray starts, metres");
     const float& angle = options.option("angle", 3.0f, -30.0f, 30.0f, "slope of the ray, degrees");
     const float& speed =
         options.option("length", 1.0f, 0.25f, 2.0f, "length of D: t counts in multiples of it");

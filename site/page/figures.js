@@ -17,7 +17,10 @@
             return program.start([name, ...[...chosen.values()].flat()]);
         };
         const { options } = draw();
-        const controls = options.filter(({ kind }) => kind !== 'image').map((option) => Page.control(option, (given) => { chosen.set(option.name, given); draw(); }));
+        const controls = options.filter(({ kind }) => kind !== 'image').map((option) => Page.control(option, (given) => {
+            chosen.set(option.name, given);
+            try { draw(); } catch (problem) { words.textContent = problem.message; }
+        }));
         words.setAttribute('role', 'status');
         image.hidden = true;
         figure.append(stage, made('div', { className: 'controls' }, ...controls.map(({ label }) => label)), words);
