@@ -114,6 +114,8 @@ HANDLE start(const Words& command, const Streams& streams, HANDLE job) {
     info.hStdOutput = streams.out;
     info.hStdError = streams.err;
     PROCESS_INFORMATION child{};
+    SetErrorMode(SEM_FAILCRITICALERRORS |
+                 SEM_NOGPFAULTERRORBOX); // children crash without a window that waits
     streams.inherit(true);
     const BOOL started = CreateProcessW(nullptr, words.data(), nullptr, nullptr, TRUE, CREATE_SUSPENDED,
                                         nullptr, nullptr, &info, &child);
