@@ -14,6 +14,7 @@
 #include <atomic>
 #include <conio.h>
 #include <cstdlib>
+#include <future>
 #include <iostream>
 #include <mutex>
 
@@ -76,11 +77,6 @@ HANDLE job_with(const ProcessOptions& options) {
     const HANDLE job = CreateJobObjectW(nullptr, nullptr);
     JOBOBJECT_EXTENDED_LIMIT_INFORMATION info{};
     info.BasicLimitInformation.LimitFlags = JOB_OBJECT_LIMIT_KILL_ON_JOB_CLOSE;
-    if (options.cpu_seconds > 0) {
-        info.BasicLimitInformation.LimitFlags |= JOB_OBJECT_LIMIT_PROCESS_TIME;
-        info.BasicLimitInformation.PerProcessUserTimeLimit.QuadPart =
-            LONGLONG(options.cpu_seconds) * 10'000'000;
-    }
     if (options.memory > 0) {
         info.BasicLimitInformation.LimitFlags |= JOB_OBJECT_LIMIT_PROCESS_MEMORY;
         info.ProcessMemoryLimit = SIZE_T(options.memory);
@@ -136,12 +132,23 @@ void read_output(HANDLE pipe, const ProcessOptions& options) {
     }
 }
 
+double processor_seconds(HANDLE process) {
+    FILETIME begin, end, kernel{}, user{};
+    GetProcessTimes(process, &begin, &end, &kernel, &user);
+    const auto seconds = [](const FILETIME& time) {
+        return 1e-7 * (double(time.dwHighDateTime) * 4294967296.0 + double(time.dwLowDateTime));
+    };
+    return seconds(kernel) + seconds(user);
+}
+
 /// Waits for the process; stops it if its time is up, or if the question of cancel_if is answered with yes. Returns
 /// whether its time was up.
-bool wait_for(HANDLE process, HANDLE job, int seconds) {
+bool wait_for(HANDLE process, HANDLE job, const ProcessOptions& options) {
     const ULONGLONG begin = GetTickCount64();
     while (WaitForSingleObject(process, is_cancelled ? 5 : 50) == WAIT_TIMEOUT) {
-        const bool is_late = seconds > 0 && GetTickCount64() - begin >= ULONGLONG(seconds) * 1000;
+        const double seconds = 1e-3 * double(GetTickCount64() - begin);
+        const bool is_late = (options.seconds > 0 && seconds >= options.seconds) ||
+                             (options.cpu_seconds > 0 && processor_seconds(process) >= options.cpu_seconds);
         const bool is_unwanted = is_cancelled && is_cancelled();
         if (!is_late && !is_unwanted) continue;
         TerminateJobObject(job, 1);
@@ -167,15 +174,6 @@ std::string crash_text(DWORD code) {
     }
 }
 
-double processor_seconds(HANDLE process) {
-    FILETIME begin, end, kernel{}, user{};
-    GetProcessTimes(process, &begin, &end, &kernel, &user);
-    const auto seconds = [](const FILETIME& time) {
-        return 1e-7 * (double(time.dwHighDateTime) * 4294967296.0 + double(time.dwLowDateTime));
-    };
-    return seconds(kernel) + seconds(user);
-}
-
 } // namespace
 
 ProcessResult run_process(const Words& command, const ProcessOptions& options) {
@@ -194,8 +192,11 @@ ProcessResult run_process(const Words& command, const ProcessOptions& options) {
     if (options.output) streams.out = writing.handle;
     const Handle process(start(command, streams, job.handle));
     writing.close();
-    if (options.output) read_output(reading.handle, options);
-    const bool is_late = wait_for(process.handle, job.handle, options.seconds);
+    const std::future<void> reader =
+        options.output ? std::async(std::launch::async, [&] { read_output(reading.handle, options); })
+                       : std::future<void>();
+    const bool is_late = wait_for(process.handle, job.handle, options);
+    if (reader.valid()) reader.wait();
     if (is_stopped) throw Stop{130};
     DWORD code = 0;
     GetExitCodeProcess(process.handle, &code);
