@@ -152,6 +152,7 @@ bool wait_for(HANDLE process, HANDLE job, const ProcessOptions& options) {
         const bool is_unwanted = is_cancelled && is_cancelled();
         if (!is_late && !is_unwanted) continue;
         TerminateJobObject(job, 1);
+        TerminateProcess(process, 1); // if it could not be put into the job
         WaitForSingleObject(process, INFINITE);
         if (is_unwanted) throw Cancelled();
         return true;
