@@ -17,8 +17,10 @@
 #else
 #define RT_REGISTER 128
 #endif
-#ifdef __SSE__
+#if defined(__SSE__)
 #include <immintrin.h>
+#elif defined(__wasm_simd128__)
+#include <wasm_simd128.h>
 #endif
 
 namespace rt::accel {
@@ -88,6 +90,8 @@ inline unsigned movemask(IntN mask) {
     return unsigned(_mm256_movemask_ps(__m256(mask)));
 #elif RT_REGISTER == 128 && defined(__SSE__)
     return unsigned(_mm_movemask_ps(__m128(mask)));
+#elif defined(__wasm_simd128__)
+    return wasm_i32x4_bitmask(v128_t(mask));
 #else
     unsigned all = 0;
     for (int i = 0; i < simd_width; ++i) all |= unsigned(mask[i] & 1 << i);

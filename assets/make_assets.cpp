@@ -69,7 +69,7 @@ int run(int argc, char** argv) {
         CLI::App& command =
             *app.add_subcommand(animal.name, "Makes the " + animal.name + " with its texture.");
         command.add_option("--triangles", triangles, "Approximate number of triangles")
-            ->check(CLI::Range(4000, 1000000));
+            ->check(CLI::Range(2000, 1000000));
         command.add_option("--out", out, "The .obj file to write; its .mtl and .png go beside it")
             ->required();
         return command;

@@ -4,7 +4,7 @@
 set -u
 
 project=$(cd "$(dirname "$0")/.." && pwd)
-rooms="common accel steps assets tests tools"
+rooms="common accel steps assets tests tools site"
 
 # Prints the include lines of the files in $1 as "file:line:<header>" or "file:line:"header"".
 includes() {
@@ -56,6 +56,15 @@ guard_lessons() {
         report "a lesson header includes no program/ and no command line"
 }
 
+# 2d: the web edition stands around the programs: nothing includes it, and nothing in a step knows of it.
+guard_site() {
+    local room
+    for room in $rooms; do
+        [ "$room" = site ] || includes "$room"
+    done | grep -F ':"site/' | report "nothing outside site includes site"
+    grep -rn --include='*.h' --include='*.cpp' '__wasm' steps | report "a step knows nothing of the web edition"
+}
+
 # 3: steps are pure computation: no threads, files or streams.
 guard_pure() {
     local forbidden="thread|jthread|stop_token|atomic|mutex|shared_mutex|condition_variable|future|semaphore|latch|barrier"
@@ -72,7 +81,7 @@ guard_rooted() {
     local room
     for room in $rooms; do
         includes "$room"
-    done | grep '"' | grep -vE ':"([0-9][0-9]_[a-z_]+|common|accel|assets|tests|tools)/[^"]*"$' |
+    done | grep '"' | grep -vE ':"([0-9][0-9]_[a-z_]+|common|accel|assets|tests|tools|site)/[^"]*"$' |
         report "an include names its folder, as in \"03_mirror/mirror.h\""
     for room in $rooms; do
         includes "$room"
@@ -130,7 +139,7 @@ guard_paths() {
 check() { # $1: the folder
     cd "$1" || exit 2
     local found
-    found=$(guard_order; guard_common; guard_accel; guard_rooms; guard_lessons; guard_pure; guard_rooted; guard_opening; guard_printable; guard_system; guard_paths)
+    found=$(guard_order; guard_common; guard_accel; guard_rooms; guard_lessons; guard_site; guard_pure; guard_rooted; guard_opening; guard_printable; guard_system; guard_paths)
     [ -z "$found" ] && return 0
     printf '%s\n' "$found"
     return 1
@@ -158,7 +167,7 @@ self_test() {
     missed=0
     local ok='// A planted file.\n#pragma once\n' header
     # A blameless file in each room is not reported, so that what is planted next is the only violation.
-    mkdir -p "$copy/steps/03_mirror" "$copy/common" "$copy/accel/bench" "$copy/tests" "$copy/assets" "$copy/tools"
+    mkdir -p "$copy/steps/03_mirror" "$copy/common" "$copy/accel/bench" "$copy/tests" "$copy/assets" "$copy/tools" "$copy/site"
     printf '%b' "$ok#include \"01_spheres/ray.h\"\n#include \"03_mirror/b.h\"\n#include \"common/math/vec.h\"\n#include \"accel/a.h\"\n#include <cmath>\n#include <glm/glm.hpp>\n" \
         >"$copy/steps/03_mirror/a.h"
     printf '%b' "$ok#include \"common/math/vec.h\"\n#include <thread>\n" >"$copy/common/a.h"
@@ -197,6 +206,8 @@ self_test() {
     plant "an include names its folder" accel/bare.h "$ok#include \"simd.h\"\n"
     plant "says #pragma once" accel/twice.h "// A planted file.\nint x;\n"
     plant "first line says what it is for" assets/silent.cpp "#include <cmath>\n"
+    plant "nothing outside site includes site" tools/twin.h "$ok#include \"site/twins/page.h\"\n"
+    plant "a step knows nothing of the web edition" steps/03_mirror/web.h "$ok#ifdef __wasm__\n#endif\n"
     plant "first line says what it is for" common/empty.cpp ""
     plant "says #pragma once" common/twice.h "// A planted file.\nint x;\n"
     plant "through printable()" tools/loud.cpp "// A planted file.\nvoid f() { std::cerr << \"x\"; }\n"

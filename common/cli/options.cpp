@@ -2,6 +2,7 @@
 
 #include "common/cli/options.h"
 
+#include "common/cli/option_values.h"
 #include "common/render/render.h"
 #include "common/util/error.h"
 #include "common/util/suggestion.h"
@@ -11,11 +12,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <charconv>
 #include <iostream>
-#include <limits>
-#include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <type_traits>
 #include <utility>
@@ -24,15 +21,6 @@
 namespace rt {
 
 namespace {
-
-constexpr int max_image_dimension = 65536; // of the whole image; only the crop is limited to max_dimension
-
-template <typename Value>
-std::string text_of(const Value& value) {
-    std::ostringstream stream;
-    stream << value;
-    return stream.str();
-}
 
 /// Wraps `text` at `width` columns: a line of --help has 80, of which the names take 25.
 std::string wrapped(std::string text, std::size_t width = 55) {
@@ -46,47 +34,6 @@ std::string wrapped(std::string text, std::size_t width = 55) {
 }
 
 const CLI::Validator not_empty([](auto& s) { return s.empty() ? "the name of the file is empty" : ""; }, "");
-
-/// Returns the decimal number that all of `text` spells, if it is in [low, high].
-template <typename Number>
-std::optional<Number> parse_number(const std::string& text, Number low, Number high) {
-    const char *const begin = text.data(), *const end = begin + text.size(), *stop = begin;
-    Number value{};
-    if constexpr (std::is_integral_v<Number>) {
-        const bool plus = text[0] == '+' && text[1] != '-';
-        if (const auto [last, error] = std::from_chars(begin + plus, end, value); error == std::errc())
-            stop = last;
-    } else {
-        double number = 0;
-        stop = read_number(begin, end, number);
-        value = Number(number);
-    }
-    if (text.empty() || stop != end || value < low || value > high) return {};
-    return value;
-}
-
-/// Returns the `count` numbers separated by commas, or an empty vector if there are more or fewer, or if one
-/// is not a number in [low, high].
-template <typename Number>
-std::vector<Number> parse_list(const std::string& text, std::size_t count, Number low, Number high) {
-    std::vector<Number> values;
-    std::istringstream parts(text + ",");
-    for (std::string part; std::getline(parts, part, ',');) {
-        const std::optional<Number> value = parse_number(part, low, high);
-        if (!value || values.size() == count) return {};
-        values.push_back(*value);
-    }
-    return values.size() == count ? values : std::vector<Number>();
-}
-
-Crop parse_crop(const std::string& text, int width, int height) {
-    const std::vector<int> c = parse_list(text, 4, 0, max_image_dimension);
-    if (c.empty() || c[0] >= c[2] || c[2] > width || c[1] >= c[3] || c[3] > height)
-        throw Error("--crop " + in_quotes(text) +
-                    " is not four whole numbers x0,y0,x1,y1 with 0 <= x0 < x1 <= " + text_of(width) +
-                    " and 0 <= y0 < y1 <= " + text_of(height));
-    return {c[0], c[1], c[2], c[3]};
-}
 
 } // namespace
 
@@ -129,13 +76,8 @@ struct Options::Parser {
             throw std::logic_error("the default of --" + name + " is out of its own range");
         constexpr bool whole = std::is_integral_v<Number>;
         const std::string range = text_of(low) + " to " + text_of(high);
-        const std::string right = (whole ? " is not a whole number from " : " is not a number from ") + range;
         add(name, whole ? "N" : "X", help + " [" + range + "; default " + text_of(value) + "]",
-            [=, &value](const std::string& text) {
-                const std::optional<Number> typed = parse_number(text, low, high);
-                if (!typed) throw Error("--" + name + " " + in_quotes(text) + right);
-                value = *typed;
-            });
+            [=, &value](const std::string& text) { value = parse_number(name, text, low, high); });
     }
 
     CLI::Option* add_text(const std::string& name, const std::string& metavar, std::string& value,
@@ -222,14 +164,7 @@ const dvec3& Options::option(const std::string& name, vec3 initial, const std::s
     dvec3& value = parser->store(dvec3(initial));
     const std::string usual = text_of(initial.x) + "," + text_of(initial.y) + "," + text_of(initial.z);
     parser->add(name, "X,Y,Z", help + " [three numbers; default " + usual + "]",
-                [=, &value](const std::string& text) {
-                    constexpr double largest = std::numeric_limits<float>::max();
-                    const std::vector<double> v = parse_list(text, 3, -largest, largest);
-                    if (v.empty())
-                        throw Error("--" + name + " " + in_quotes(text) +
-                                    " is not three finite numbers x,y,z, as in 0,1.5,-2");
-                    value = {v[0], v[1], v[2]};
-                });
+                [=, &value](const std::string& text) { value = parse_vector(name, text); });
     return value;
 }
 
@@ -248,15 +183,9 @@ const std::string& Options::file(const std::string& name, const std::string& hel
 const int& Options::choice_index(const std::string& name, const std::vector<std::string>& names, int initial,
                                  const std::string& help) {
     int& value = parser->store(initial);
-    const std::string right = "one of " + CLI::detail::join(names, ", ");
-    parser->add(name, "NAME", help + " [" + right + "; default " + names.at(std::size_t(initial)) + "]",
-                [=, &value](const std::string& text) {
-                    const auto found = std::find(names.begin(), names.end(), text);
-                    if (found == names.end())
-                        throw Error("--" + name + " " + in_quotes(text) + " is not a choice" +
-                                    suggestion(text, names, "") + ": " + right);
-                    value = int(found - names.begin());
-                });
+    parser->add(name, "NAME",
+                help + " [" + one_of(names) + "; default " + names.at(std::size_t(initial)) + "]",
+                [=, &value](const std::string& text) { value = parse_choice(name, text, names); });
     return value;
 }
 

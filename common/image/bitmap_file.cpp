@@ -18,8 +18,6 @@
 namespace rt {
 namespace {
 
-constexpr std::uintmax_t max_file_bytes = std::uintmax_t(1) << 30; // stb counts bytes in an int
-
 Error undecodable() {
     if (stb_memory.was_refused) return Error("is damaged (it holds more data than an image of its size)");
     const char* const said = stbi_failure_reason();

@@ -18,8 +18,6 @@
 namespace rt {
 namespace {
 
-constexpr std::uintmax_t max_file_bytes = std::uintmax_t(1) << 30; // stb counts bytes in an int
-
 std::string lower_ending(const std::string& path) {
     std::string ending = text_of(path_of(path).extension());
     std::transform(ending.begin(), ending.end(), ending.begin(),

@@ -13,6 +13,7 @@ namespace rt {
 /// Limits of the images that can be read, written or rendered.
 inline constexpr int max_dimension = 1 << 14;
 inline constexpr std::int64_t max_pixels = std::int64_t(1) << 27;
+inline constexpr std::uintmax_t max_file_bytes = std::uintmax_t(1) << 30; // stb counts bytes in an int
 
 /// Limit for all textures of a model together. At 18 bytes per pixel, 6 here and 12 as linear
 /// colours, they take 2 GB.

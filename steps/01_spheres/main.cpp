@@ -8,14 +8,15 @@
 
 using namespace rt;
 
-/// Builds three spheres of different radius on a checkered floor under a summer sky.
+/// Builds three spheres on a checkered floor, under an evening sky that is brighter on the left.
 Scene three_spheres(float radius, float squares) {
     Scene scene;
-    scene.sky = {.nadir = {0.62f, 0.4f, 0.25f}, .zenith = {0.52f, 0.85f, 1.45f}};
+    scene.sky = {.nadir = {0, 0.1f, 0.5f}, .zenith = {1.45f, 1.05f, 0.65f}, .up = vec3(-6, 3, 2) / 7.0f};
     const int terracotta = add(scene.materials, Diffuse{{0.85f, 0.22f, 0.09f}});
-    const int teal = add(scene.materials, Diffuse{{0.03f, 0.42f, 0.38f}});
+    const int teal = add(scene.materials, Diffuse{{0.02f, 0.4f, 0.46f}});
     const int mustard = add(scene.materials, Diffuse{{0.95f, 0.6f, 0.05f}});
-    const int floor = add(scene.materials, Checkerboard{{0.8f, 0.72f, 0.6f}, {0.34f, 0.3f, 0.26f}, squares});
+    const int floor =
+        add(scene.materials, Checkerboard{{0.8f, 0.62f, 0.42f}, {0.28f, 0.14f, 0.08f}, squares});
     scene.spheres = {{{0, radius, 0}, radius, terracotta},
                      {{1.75f, 0.6f, 0.55f}, 0.6f, teal},
                      {{-1.45f, 0.38f, 1.0f}, 0.38f, mustard}};
@@ -30,7 +31,7 @@ int main(int argc, char** argv) {
         options.option("squares", 0.5f, 0.05f, 10.0f, "width of the floor's squares, metres");
     const auto view = view_option(options);
     const CameraOptions camera_options(options,
-                                       {.from = {0.3f, 1.7f, 5.5f}, .at = {0.1f, 0.75f, 0}, .fov = 36});
+                                       {.from = {0.3f, 1.1f, 5.5f}, .at = {0.1f, 0.8f, 0}, .fov = 36});
 
     return run_program(options, argc, argv, [&](const RenderFunction& render) {
         const Counted<Scene> scene{three_spheres(radius, squares)};

@@ -5,6 +5,7 @@
 #include "07_antialias/program/options.h"
 #include "08_indirect/program/cat_room.h"
 #include "08_indirect/program/cornell.h"
+#include "08_indirect/program/cover.h"
 #include "08_indirect/radiance.h"
 #include "08_indirect/program/room.h"
 #include "08_indirect/scene.h"
@@ -13,7 +14,7 @@
 
 using namespace rt;
 
-enum class SceneName { room, furnace, cornell, weekend, cat };
+enum class SceneName { room, furnace, cornell, weekend, cat, cover };
 
 /// Builds a white furnace: a white sphere in a uniform environment. It reflects all the light that it
 /// receives, so it must be invisible.
@@ -24,6 +25,12 @@ LookAt furnace(Scene& scene) {
     return {.from = {0, 0, 4}, .at = {0, 0, 0}, .fov = 40};
 }
 
+/// Returns the lens of a scene: most have a pinhole.
+ThinLens lens_of(SceneName show) {
+    if (show == SceneName::weekend) return weekend_lens;
+    return show == SceneName::cover ? cover_lens : ThinLens{.aperture_diameter = 0, .focus_distance = 0};
+}
+
 /// Builds one of this step's own scenes.
 LookAt build_scene(Scene& scene, SceneName show) {
     switch (show) {
@@ -31,6 +38,7 @@ LookAt build_scene(Scene& scene, SceneName show) {
     case SceneName::cornell: return cornell(scene);
     case SceneName::weekend: return weekend(scene);
     case SceneName::cat: return cat_room(scene);
+    case SceneName::cover: return cover(scene);
     default: return room(scene);
     }
 }
@@ -42,9 +50,10 @@ int main(int argc, char** argv) {
     const std::string& spheres =
         options.file("spheres", "a list of spheres to show with the camera and light of --scene weekend");
     const auto show = options.choice(
-        "scene", {"room", "furnace", "cornell", "weekend", "cat"}, SceneName::room,
+        "scene", {"room", "furnace", "cornell", "weekend", "cat", "cover"}, SceneName::room,
         "what to show: the room of the reference; a white sphere in a white world, which must be invisible; "
-        "a Cornell box; the spheres of a well-known book; a cat at home");
+        "a Cornell box; the spheres of a well-known book; a cat at home; a picture for a cover, best at 1280 "
+        "x 720 pixels and 1024 samples");
     const auto accel = accel_option(options, Accel::wide);
     const auto sampler_kind = sampler_option(options);
     const FilterOptions filter(options);
@@ -78,9 +87,10 @@ int main(int argc, char** argv) {
         const AreaLights lights = collect_area_lights(scene);
         const PathSettings settings{depth, !no_indirect, direct, !no_roulette, hemisphere_sampling};
         const Camera camera = make_camera(look_at, width, height);
-        const bool is_weekend = model.mesh.empty() && (!spheres.empty() || show == SceneName::weekend);
-        const ThinLens lens =
-            lens_options.lens(look_at, is_weekend ? weekend_lens : ThinLens{.focus_distance = 0});
+        const SceneName shown = !model.mesh.empty() ? SceneName::room
+                                : !spheres.empty()  ? SceneName::weekend
+                                                    : show;
+        const ThinLens lens = lens_options.lens(look_at, lens_of(shown));
         render([&](const PixelSample& sample) {
             Sampler sampler(sampler_kind, sample);
             const vec2 point = film_point(sample, sampler, filter.filter, filter.width);

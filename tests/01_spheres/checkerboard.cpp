@@ -5,6 +5,8 @@
 
 #include "tests/01_spheres/step.h"
 
+#include <string>
+
 using namespace rt;
 
 TEST_CASE("the squares of a checkerboard alternate on both sides of zero") {
@@ -20,4 +22,18 @@ TEST_CASE("the squares of a checkerboard alternate on both sides of zero") {
                               "a cast to int merges the two squares beside zero: use floor");
             }
         }
+}
+
+TEST_CASE("along a row of squares and along a column the colour changes at each border, and along a diagonal "
+          "never") {
+    const Checkerboard checkerboard{{1, 1, 1}, {0, 0, 0}, 0.5f};
+    const auto colours = [&](vec2 step) { // eight samples, two in each square, from (-1, -1)
+        std::string text;
+        for (int i = 0; i < 8; ++i)
+            text += evaluate(checkerboard, vec2(-0.9f) + float(i) * step).albedo.x > 0 ? 'e' : 'o';
+        return text;
+    };
+    CHECK(colours({0.25f, 0}) == "eeooeeoo");
+    CHECK(colours({0, 0.25f}) == "eeooeeoo");
+    CHECK(colours({0.25f, 0.25f}) == "eeeeeeee");
 }

@@ -6,6 +6,7 @@
 #include "common/math/random.h"
 
 #include <algorithm>
+#include <string>
 
 #include "tests/01_spheres/step.h"
 
@@ -31,6 +32,22 @@ TEST_CASE("both normals of a hit face the side from which the ray comes") {
     for (const Hit& hit : {front, back}) {
         CHECK(hit.uv == approx(vec2(0.3f, 0.6f)));
         CHECK(hit.material == 4);
+    }
+}
+
+TEST_CASE("the side and the normals of a hit do not depend on where it is") {
+    const vec3 true_normal = normalize(vec3(1, 2, -2));
+    const auto told = [&](vec3 origin, vec3 direction) {
+        const Hit hit = make_hit(Ray{origin, direction, 0, 2}, true_normal, {0, 0}, 0);
+        const auto faces = [&](vec3 normal) { return dot(normal, direction) < 0 ? "against" : "along"; };
+        return std::string(hit.back_face ? "from behind" : "from the front") + ", shading normal " +
+               faces(hit.shading_normal) + ", geometric normal " + faces(hit.geometric_normal);
+    };
+    for (const float side : {1.0f, -1.0f}) {
+        const vec3 origin = side * vec3(5, 5, -5);
+        CHECK(told(origin, {-1, -3, 0.5f}) ==
+              "from the front, shading normal against, geometric normal against");
+        CHECK(told(origin, {1, 3, -0.5f}) == "from behind, shading normal against, geometric normal against");
     }
 }
 

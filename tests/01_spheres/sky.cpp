@@ -18,12 +18,22 @@ TEST_CASE("the sky changes linearly from nadir to zenith") {
                   "linear in the height of the unit direction: 1/4 nadir + 3/4 zenith");
 }
 
+TEST_CASE("a tilted sky is brightest along its own up") {
+    const vec3 up = vec3(2, -3, 6) / 7.0f, across = vec3(3, 6, 2) / 7.0f;
+    const Sky sky{{0.1f, 0.2f, 0.9f}, {0.7f, 0.4f, 0.1f}, up};
+    CHECK(radiance(sky, 5.0f * up) == approx(sky.zenith));
+    CHECK(radiance(sky, -0.2f * up) == approx(sky.nadir));
+    CHECK(radiance(sky, 3.0f * across) == approx(0.5f * (sky.nadir + sky.zenith)));
+    CHECK(radiance(sky, 0.6f * up - 0.8f * across) == approx(0.2f * sky.nadir + 0.8f * sky.zenith));
+}
+
 TEST_CASE("the irradiance from the whole sky is the integral of its radiance times the cosine") {
-    const Sky sky{{0.1f, 0.2f, 0.9f}, {0.7f, 1.4f, 0.1f}};
+    const Sky level{{0.1f, 0.2f, 0.9f}, {0.7f, 1.4f, 0.1f}};
+    const Sky tilted{level.nadir, level.zenith, vec3(-6, 2, 3) / 7.0f};
     for (const vec3 normal : {vec3(2, 3, 6) / 7.0f, vec3(6, -3, 2) / 7.0f, vec3(-2, -6, 3) / 7.0f,
                               vec3(0, 1, 0), vec3(0, -1, 0), vec3(1, 0, 0)}) {
         const vec3 a = beside(normal), b = cross(normal, a);
-        dvec3 sum(0);
+        dvec3 of_level(0), of_tilted(0);
         const int rings = 200, sectors = 16;
         for (int i = 0; i < rings; ++i)
             for (int j = 0; j < sectors; ++j) {
@@ -31,11 +41,14 @@ TEST_CASE("the irradiance from the whole sky is the integral of its radiance tim
                 const float phi = (float(j) + 0.5f) / sectors * 2 * pi;
                 const vec3 w =
                     std::cos(theta) * normal + std::sin(theta) * (std::cos(phi) * a + std::sin(phi) * b);
-                sum += dvec3(radiance(sky, w) * std::cos(theta) * std::sin(theta));
+                const float weight = std::cos(theta) * std::sin(theta);
+                of_level += dvec3(weight * radiance(level, w));
+                of_tilted += dvec3(weight * radiance(tilted, w));
             }
-        const vec3 expected = vec3(sum) * (pi / 2 / rings) * (2 * pi / sectors);
+        const double step = (pi / 2 / rings) * (2 * pi / sectors);
         INFO("normal " << to_text(normal));
-        CHECK(irradiance(sky, normal) == approx(expected, 1e-4f));
+        CHECK(irradiance(level, normal) == approx(vec3(step * of_level), 1e-4f));
+        CHECK(irradiance(tilted, normal) == approx(vec3(step * of_tilted), 1e-4f));
     }
 }
 

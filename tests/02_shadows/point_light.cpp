@@ -136,6 +136,7 @@ TEST_CASE("each light has its own shadow") {
     const PointLight red{somewhere + 4.0f * left, {8, 0, 0}}, blue{somewhere + 4.0f * right, {0, 0, 8}};
     const float share = 0.5f * 0.70710678f; // 8 / 16, at 45 degrees
     CHECK(direct_irradiance(lit_balls({red, blue}, {}), hit) == approx(vec3(share, 0, share)));
+    CHECK(direct_irradiance(lit_balls({blue, red}, {}), hit) == approx(vec3(share, 0, share)));
     CHECK(direct_irradiance(lit_balls({red, blue}, {{somewhere + 2.0f * left, 0.5f, 0}}), hit) ==
           approx(vec3(0, 0, share)));
     CHECK(direct_irradiance(lit_balls({red, blue}, {{somewhere + 2.0f * right, 0.5f, 0}}), hit) ==

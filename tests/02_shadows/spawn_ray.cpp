@@ -63,10 +63,21 @@ TEST_CASE("a segment ends at its target even if its beginning was moved far") {
     const Ray segment = spawn_ray_to(hit, target);
     CHECK_MESSAGE(distance(at(segment, segment.t_max), target) < 0.3f * hit.position_error,
                   "beyond the target by the offset: the direction must begin at the moved origin");
+    const vec3 behind = hit.position - 5.0f * tilted;
+    const Ray inward = spawn_ray_to(hit, behind);
+    CHECK_MESSAGE(distance(at(inward, inward.t_max), behind) < 0.3f * hit.position_error,
+                  "a target behind the surface is missed by the offset");
 }
 
 TEST_CASE("a segment to a target behind the surface begins on the side that the ray came from") {
     const Hit hit = hit_at(somewhere, tilted);
     const Ray segment = spawn_ray_to(hit, somewhere - 5.0f * tilted);
     CHECK_MESSAGE(dot(segment.origin - hit.position, tilted) > 0, "the surface hides what is behind it");
+}
+
+TEST_CASE("a long segment begins as close to its hit as a short one") {
+    const Hit hit = hit_at(somewhere, tilted);
+    const Ray segment = spawn_ray_to(hit, somewhere + 1000.0f * tilted);
+    CHECK_MESSAGE(distance(at(segment, segment.t_min), somewhere) < 1e-3f,
+                  "t is a share of the segment: a t_min that is not 0 skips what is close to the surface");
 }

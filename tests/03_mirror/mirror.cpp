@@ -85,6 +85,8 @@ TEST_CASE("a mirror reflects around the shading normal and offsets rays along th
     const Ray reflected = reflected_ray({somewhere - slanting, slanting}, hit);
     CHECK_MESSAGE(reflected.direction == approx(slanting - 2 * dot(slanting, smooth) * smooth),
                   "if hit.geometric_normal is used, meshes that should look smooth reflect in facets");
+    CHECK_MESSAGE(dot(reflected.direction, tilted) > 0,
+                  "a mirror sends light back to the side that it came from");
     CHECK_MESSAGE(
         dot(reflected.origin - somewhere, beside(tilted)) == approx(0, 1e-6f),
         "the offset must be along hit.geometric_normal: the shading normal may point into the surface");

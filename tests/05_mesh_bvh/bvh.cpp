@@ -33,6 +33,23 @@ RayStats cost_of(const ObjModel& file, int rays, float scale = 1) {
     return ray_stats;
 }
 
+/// How often a traversal did not test a shape whose box the ray enters, and how often it tested one again.
+struct Visits {
+    int missed = 0, twice = 0;
+};
+
+void count_visits(Visits& visits, const Bvh& bvh, const std::vector<Aabb>& boxes, const Ray& ray) {
+    std::vector<int> asked(boxes.size());
+    traverse(bvh, ray, [&](std::uint32_t shape) {
+        ++asked[shape];
+        return false;
+    });
+    for (std::size_t k = 0; k < boxes.size(); ++k) {
+        visits.missed += asked[k] == 0 && intersect(boxes[k], ray);
+        visits.twice += asked[k] > 1;
+    }
+}
+
 } // namespace
 
 // ----------------------------------------------------------------------------------------------- traversal
@@ -41,21 +58,26 @@ TEST_CASE("a traversal tests each shape whose box the ray enters and none twice"
     const auto boxes = boxes_of(random_triangles(800, 0.3f));
     const Bvh bvh = build_bvh(boxes);
     Random random(51);
-    for (int i = 0; i < 300; ++i) {
-        const Ray ray{2.0f * random_point(random), random_direction(random)};
-        std::vector<int> asked(boxes.size());
-        traverse(bvh, ray, [&](std::uint32_t shape) {
-            ++asked[shape];
-            return false;
-        });
-        int missed = 0, twice = 0;
-        for (std::size_t k = 0; k < boxes.size(); ++k) {
-            missed += asked[k] == 0 && intersect(boxes[k], ray);
-            twice += asked[k] > 1;
+    Visits visits;
+    for (int i = 0; i < 300; ++i)
+        count_visits(visits, bvh, boxes, Ray{2.0f * random_point(random), random_direction(random)});
+    CHECK_MESSAGE(visits.missed == 0, "shapes that were not tested");
+    CHECK_MESSAGE(visits.twice == 0, "shapes that were tested twice");
+}
+
+TEST_CASE("a traversal of boxes whose size doubles a hundred times misses none of them") {
+    const auto boxes = exponential_chain(-50, 50, {1, 0.9f, 1.1f});
+    const Bvh bvh = build_bvh(boxes);
+    Random random(55);
+    Visits visits;
+    for (const Aabb& box : boxes)
+        for (int i = 0; i < 10; ++i) {
+            const vec3 target = mix(box.min, box.max, random_point(random));
+            const vec3 origin = length(box.max) * (3.0f * random_point(random) - 1.0f);
+            count_visits(visits, bvh, boxes, Ray{origin, target - origin});
         }
-        CHECK_MESSAGE(missed == 0, "shapes that were not tested");
-        CHECK_MESSAGE(twice == 0, "shapes that were tested twice");
-    }
+    CHECK(visits.missed == 0);
+    CHECK(visits.twice == 0);
 }
 
 TEST_CASE("a traversal ends immediately when a leaf requests it") {
@@ -107,13 +129,14 @@ TEST_CASE("shapes behind a hit that was found are not tested any more") {
     }
     const Bvh bvh = build_bvh(heap);
     Ray ray{{0.1f, 0.2f, 0}, {0.001f, 0, -1}};
-    int far_ones = 0;
+    int near_ones = 0, far_ones = 0;
     traverse(bvh, ray, [&](std::uint32_t shape) {
-        far_ones += shape >= 40;
+        ++(shape < 40 ? near_ones : far_ones);
         ray.t_max = std::min(ray.t_max, shape < 40 ? 5.0f : 500.0f);
         return false;
     });
     CHECK(ray.t_max == 5);
+    CHECK_MESSAGE(near_ones == 40, "the ray enters each of the near boxes before t_max");
     CHECK_MESSAGE(far_ones == 0, "a box on the stack may be beyond t_max by the time it is popped");
 }
 

@@ -67,6 +67,10 @@ TEST_CASE("a triangle behind the ray or outside its interval is not hit") {
     CHECK(intersect(a, b, c, Ray{target + away, -away}).has_value());
     CHECK_MESSAGE(!intersect(a, b, c, Ray{target + away, -away, 0, 0.99f}), "t = 1 is beyond t_max = .99");
     CHECK_MESSAGE(!intersect(a, b, c, Ray{target + away, -away, 1.01f, 5}), "t = 1 is before t_min = 1.01");
+    int hits = 0; // of rays that begin at eleven places on a line, at t = -4.5, -3.5, ..., 5.5
+    for (int i = -5; i <= 5; ++i)
+        hits += intersect(a, b, c, Ray{target + (float(i) + 0.5f) * away, -away, 0, 2}).has_value();
+    CHECK_MESSAGE(hits == 2, "only t = .5 and 1.5 are between 0 and 2");
 }
 
 TEST_CASE("a triangle is hit at any size") {

@@ -1,6 +1,7 @@
 // Facts about the scenes that step 08 shares with other programs: positions, sizes, and published rules.
 #include "08_indirect/program/cat_room.h"
 #include "08_indirect/program/cornell.h"
+#include "08_indirect/program/cover.h"
 #include "08_indirect/radiance.h"
 #include "08_indirect/program/weekend.h"
 #include "tests/check.h"
@@ -229,4 +230,19 @@ TEST_CASE("the cat's room is closed and the cat is inside") {
         INFO("towards " << to_text(ray.direction));
         REQUIRE_MESSAGE(intersect(scene, ray), "light leaks out of the room");
     }
+}
+
+TEST_CASE("what is on the cover's table stands on it and the cat is in focus") {
+    Scene scene;
+    const LookAt look_at = cover(scene);
+    build_bvhs(scene);
+    CHECK_MESSAGE(std::abs(bounds(scene.mesh).min.y) < 0.01f, "cat and teapot must stand on the table");
+    for (const Sphere& ball : std::span(scene.spheres).first(5)) CHECK(ball.center.y == approx(ball.radius));
+    const Camera camera = make_camera(look_at, 1280, 720);
+    const auto hit = intersect(scene, camera_ray(camera, {550, 380}));
+    REQUIRE(hit);
+    const float depth = dot(hit->position - look_at.from, camera.forward);
+    INFO("the cat's chest is " << depth << " m ahead");
+    CHECK(std::abs(depth - distance(look_at.from, look_at.at)) < 0.3f);
+    CHECK(collect_area_lights(scene).lights.size() == 2 + 3 * 15);
 }

@@ -64,6 +64,15 @@ TEST_CASE("a mistake is read with all of its fields") {
     CHECK(mistakes[0].place == "exercises/01_one/mistakes.md:3");
 }
 
+TEST_CASE("a mistake can have a view in which its effect is easier to see") {
+    std::string text = good;
+    text.insert(text.find("* Shows"), "* Closer: --fov 4 --at 0,1,2\n");
+    const auto mistakes = parse_catalogue(text, "exercises/01_one/mistakes.md");
+    REQUIRE(mistakes.size() == 1);
+    CHECK(mistakes[0].closer == Words{"--fov", "4", "--at", "0,1,2"});
+    CHECK(mistakes[0].shows == "all is twice as large.");
+}
+
 TEST_CASE("a right variant is read with its form") {
     const std::string text =
         "# Right variants of step 01: numbers\n## times-half: a product\n```diff\n"

@@ -8,6 +8,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <regex>
 #include <set>
 
 using namespace rt;
@@ -59,6 +60,25 @@ TEST_CASE("every exercise of the course has three hints and there are no others"
     for (const std::string& step : all_steps(real)) {
         CAPTURE(step);
         CHECK_NOTHROW(read_hints(RT_ROOT, step, exercises_of(real, step)));
+    }
+}
+
+TEST_CASE("every name in the code of a hint occurs in the code of its step or an earlier one") {
+    const std::regex code("`[^`]*`"), name("\\b[A-Za-z_]\\w*"), comment("//.*");
+    const auto matches = [](const std::string& text, const std::regex& pattern) {
+        const std::sregex_token_iterator begin(text.begin(), text.end(), pattern), end;
+        return std::set<std::string>(begin, end);
+    };
+    std::set<std::string> known;
+    for (const std::string& step : all_steps(real)) {
+        for (const auto& file : entries_of(real.root / "steps" / step))
+            if (file.extension() == ".h")
+                known.merge(matches(std::regex_replace(text_of(file), comment, ""), name));
+        for (const auto& hints : read_hints(RT_ROOT, step, exercises_of(real, step)))
+            for (const std::string& hint : hints.second)
+                for (const std::string& span : matches(hint, code))
+                    for (const std::string& word : matches(span, name))
+                        CHECK_MESSAGE(known.contains(word), step << " " << hints.first << ": " << word);
     }
 }
 

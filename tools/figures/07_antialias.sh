@@ -1,11 +1,11 @@
 # Creates the figures of docs/07_antialias.md.
-# They show one sample at the centre of each pixel, the variance, a lens focused on the cat, and a plot of the
+# They show one sample at the centre of each pixel, the variance, a lens focused on the far lamps, and a plot of the
 # error against samples for the three samplers.
 # shellcheck shell=bash
 source "$ROOT/tools/figures/common.sh"
 
-picture 07_middle 07_antialias --samples 1 --filter-width 0 --width 480 --height 300
-picture 07_focus 07_antialias --aperture 0.3 --focus 4.4 --samples 64 --width 480 --height 300
+picture 07_middle 07_antialias --samples 1 --filter-width 0 --aperture 0 --width 480 --height 300
+picture 07_focus 07_antialias --focus 20 --samples 256 --width 480 --height 300
 
 # Four random samples per pixel, with the variance of their mean beside it.
 four=(--sampler random --samples 4 --width 480 --height 300)

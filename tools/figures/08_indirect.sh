@@ -1,9 +1,10 @@
 # Creates the figures of docs/08_indirect.md.
 # They show the room without indirect light, the furnace with depth 0 and 1, three ways to sample the light
-# with equal samples, and a plot of the error against time, measured by `./learn bench convergence`.
+# with equal samples, the cover, and a plot of the error against time, measured by `./learn bench convergence`.
 # shellcheck shell=bash
 source "$ROOT/tools/figures/common.sh"
 
+picture 08_cover 08_indirect --scene cover --width 1280 --height 720 --samples 128
 picture 08_no_indirect 08_indirect --no-indirect --width 360 --height 360
 for way in bounces lights mis; do
     picture 08_$way 08_indirect --direct $way --samples 8 --width 240 --height 240

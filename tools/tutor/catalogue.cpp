@@ -92,6 +92,9 @@ std::string read_field(Reader& reader, const std::string& name) {
 }
 
 void read_mistake(Reader& reader, Mistake& mistake) {
+    skip_blank_lines(reader);
+    if (!reader.at_end() && reader.line().starts_with("* Closer: "))
+        mistake.closer = words_in(read_field(reader, "Closer"));
     mistake.shows = read_field(reader, "Shows");
     mistake.why = read_field(reader, "Why");
     mistake.fix = read_field(reader, "Fix");
@@ -209,6 +212,14 @@ fs::path gallery_picture(const fs::path& root, const std::string& step, const st
     return root / "exercises" / step / "gallery" / (id + ".png");
 }
 
+fs::path closer_picture(const fs::path& root, const std::string& step, const std::string& id) {
+    return gallery_picture(root, step, "closer/" + id);
+}
+
+fs::path closer_right_picture(const fs::path& root, const std::string& step, const std::string& id) {
+    return gallery_picture(root, step, "closer/" + id + "-right");
+}
+
 std::string reference_fact(const fs::path& root, const std::string& step, const std::string& key) {
     std::istringstream lines(read_file(text_of(root / "assets" / "reference" / (step + ".txt"))));
     for (std::string line; std::getline(lines, line);)
@@ -218,7 +229,7 @@ std::string reference_fact(const fs::path& root, const std::string& step, const 
 
 Words gallery_flags(const fs::path& root, const std::string& step) {
     const auto part = [&](const std::string& side) {
-        return std::to_string(std::max(1, std::atoi(reference_fact(root, step, side).c_str()) * 3 / 8));
+        return std::to_string(std::max(1, std::atoi(reference_fact(root, step, side).c_str()) * 5 / 12));
     };
     return {"--width", part("width"), "--height", part("height"), "--samples", "16"};
 }

@@ -30,6 +30,7 @@ struct Patch {
 };
 
 struct Mistake : Patch {
+    Words closer;      ///< options of a view in which the effect is easier to see; usually none
     std::string shows; ///< the visible effect; begins with "nothing" if there is none
     std::string why;
     std::string fix;
@@ -66,11 +67,17 @@ Words mistakes_in(const std::filesystem::path& root, const Exercise& exercise);
 std::filesystem::path gallery_picture(const std::filesystem::path& root, const std::string& step,
                                       const std::string& id);
 
+/// The same for a picture in the view `Mistake::closer` of the mistake `id`: with the mistake, and the correct one.
+std::filesystem::path closer_picture(const std::filesystem::path& root, const std::string& step,
+                                     const std::string& id);
+std::filesystem::path closer_right_picture(const std::filesystem::path& root, const std::string& step,
+                                           const std::string& id);
+
 /// Returns the value after `key: ` in assets/reference/NN_name.txt, or an empty string.
 std::string reference_fact(const std::filesystem::path& root, const std::string& step,
                            const std::string& key);
 
-/// Returns the flags for a picture of the gallery: the reference's view at 3/8 of its width and height.
+/// Returns the flags for a picture of the gallery: the reference's view at 5/12 of its width and height.
 Words gallery_flags(const std::filesystem::path& root, const std::string& step);
 
 /// Returns the ids of the mistakes whose gallery picture matches `picture`, which was rendered

@@ -244,24 +244,23 @@ Diagnosis diagnose_function(const Project& project, const Exercise& exercise,
     const Words ids = mistakes_in(project.root, exercise);
     std::vector<Signature> known = read_signatures(project.root, exercise.step);
     std::erase_if(known, [&](const Signature& signature) { return !contains(ids, signature.id); });
-    return diagnose(known, {results});
+    return diagnose(known, results);
 }
 
 /// Checks a function alone among the reference's. Nothing if it is right, or if it does not compile like that.
 std::optional<RedFunction> check_alone(const Session& session, const std::string& name,
                                        const Words& sources) {
     const Change change = session.change(name, isolated_headers(session.project, session.step(), {name}));
-    RedFunction red{.name = name, .failing = 0, .diagnosis = {}};
+    std::vector<CheckResult> results;
     for (const std::string& source : sources) {
         const Outcome outcome = run_source(session.tools, change, source);
         if (!outcome.compiled) return std::nullopt;
-        const auto count = int(std::ranges::count_if(outcome.results, has_failed));
-        if (count > 0 && red.failing == 0)
-            red.diagnosis = diagnose_function(session.project, gap_named(session.findings, name).exercise,
-                                              outcome.results);
-        red.failing += count;
+        append(results, outcome.results);
     }
-    return red.failing > 0 ? std::optional(red) : std::nullopt;
+    const auto failing = int(std::ranges::count_if(results, has_failed));
+    if (failing == 0) return std::nullopt;
+    const Exercise& exercise = gap_named(session.findings, name).exercise;
+    return RedFunction{name, failing, diagnose_function(session.project, exercise, results)};
 }
 
 /// Finds out which of the written functions are wrong.

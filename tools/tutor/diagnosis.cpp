@@ -17,39 +17,49 @@ namespace {
 
 const std::string not_ended = "(the check did not end)"; // signatures.txt contains this text
 constexpr std::size_t max_values_length = 100;
+constexpr double nearly = 0.9;
 
 bool is_word(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
-/// Returns the Jaccard index of two sets: the size of their intersection divided by that of their union.
-template <typename Things>
-double overlap_of(const Things& a, const Things& b) {
-    std::size_t both = 0;
-    for (const auto& thing : a) both += b.count(thing);
-    const std::size_t either = a.size() + b.size() - both;
+/// Returns how much of two sets with so many things is in both: the Jaccard index, 1 if both are empty.
+double overlap(std::size_t both, std::size_t here, std::size_t there) {
+    const std::size_t either = here + there - both;
     return either == 0 ? 1 : double(both) / double(either);
 }
 
-/// A signature as three sets, from coarse to fine.
-struct Sets {
-    std::set<std::string> checks, assertions, values;
+std::set<std::string> checks_of(const Signature& signature) {
+    std::set<std::string> checks;
+    for (const FailedAssertion& assertion : signature.assertions) checks.insert(assertion.check);
+    return checks;
+}
 
-    explicit Sets(const Signature& signature) {
-        for (const FailedAssertion& assertion : signature.assertions) {
-            checks.insert(assertion.check);
-            assertions.insert(assertion.check + "\t" + assertion.expression);
-            values.insert(assertion.check + "\t" + assertion.expression + "\t" + assertion.values);
-        }
-    }
-};
+/// Whether two failures of an assertion agree: rounding may change how often by a few rays of many.
+bool agree(const FailedAssertion& a, const FailedAssertion& b) {
+    return a.values == b.values && double(std::min(a.times, b.times)) >= nearly * std::max(a.times, b.times);
+}
 
-/// Whether an assertion that both have fails with different values.
-bool contradict(const Sets& a, const Sets& b) {
-    const auto shared = [](const std::set<std::string>& x, const std::set<std::string>& y) {
-        return std::ranges::count_if(x, [&](const std::string& each) { return y.contains(each); });
-    };
-    return shared(a.values, b.values) < shared(a.assertions, b.assertions);
+SignatureMatch match_of(const Signature& known, const Signature& seen) {
+    const std::set<std::string> here = checks_of(seen), there = checks_of(known);
+    const auto checks =
+        std::size_t(std::ranges::count_if(here, [&](const auto& check) { return there.contains(check); }));
+    std::size_t shared = 0, agreeing = 0, equal = 0;
+    for (const FailedAssertion& assertion : seen.assertions)
+        for (const FailedAssertion& other : known.assertions)
+            if (assertion.check == other.check && assertion.expression == other.expression) {
+                ++shared;
+                agreeing += agree(assertion, other);
+                equal += assertion == other;
+            }
+    const std::size_t all_seen = seen.assertions.size(), all_known = known.assertions.size();
+    return {.id = known.id,
+            .score = 0.3 * overlap(checks, here.size(), there.size()) +
+                     0.3 * overlap(shared, all_seen, all_known) +
+                     0.4 * overlap(agreeing, all_seen, all_known),
+            .may_be_named = agreeing == shared && double(agreeing) >= nearly * double(all_seen) &&
+                            2 * agreeing >= all_known,
+            .is_equal = equal == all_seen && equal == all_known};
 }
 
 void read_event(const Words& parts, std::vector<CheckResult>& results) {
@@ -191,50 +201,32 @@ std::vector<Signature> read_signatures(const std::filesystem::path& root, const 
 }
 
 std::vector<SignatureMatch> rank_signatures(const std::vector<Signature>& known, const Signature& seen) {
-    const Sets here(seen);
     std::vector<SignatureMatch> matches;
-    for (const Signature& signature : known) {
-        const Sets there(signature);
-        const double values = overlap_of(here.values, there.values);
-        const double score = 0.3 * overlap_of(here.checks, there.checks) +
-                             0.3 * overlap_of(here.assertions, there.assertions) + 0.4 * values;
-        matches.push_back({.id = signature.id,
-                           .score = score,
-                           .values = values,
-                           .contradicts = contradict(here, there),
-                           .is_equal = signature.assertions == seen.assertions});
-    }
+    for (const Signature& signature : known) matches.push_back(match_of(signature, seen));
     std::ranges::stable_sort(matches, std::greater(), &SignatureMatch::score);
     return matches;
 }
 
-Diagnosis diagnose(const std::vector<Signature>& known, const std::vector<std::vector<CheckResult>>& files) {
-    constexpr double least_values = 0.5, least_score = 0.5, likely_score = 0.65;
+Diagnosis diagnose(const std::vector<Signature>& known, const std::vector<CheckResult>& results) {
+    constexpr double likely_score = 0.65;
     Diagnosis diagnosis;
-    double best = 0;
-    bool certain = false;
-    for (const std::vector<CheckResult>& results : files) {
-        const auto failed = std::ranges::find_if(results, has_failed);
-        if (failed == results.end()) continue;
-        if (diagnosis.first.name.empty()) diagnosis.first = *failed;
-        const auto endless = std::ranges::find(results, CheckState::endless, &CheckResult::state);
-        if (endless != results.end() && !diagnosis.endless) diagnosis.endless = *endless;
-        std::vector<SignatureMatch> matches = rank_signatures(known, signature_of("", results));
-        std::erase_if(matches, [](const SignatureMatch& match) {
-            return match.values < least_values || match.contradicts || match.score < least_score;
-        });
-        if (matches.empty() || matches[0].score <= best + 1e-9) continue;
-        best = matches[0].score;
-        certain = matches[0].is_equal;
-        diagnosis.ids.clear();
-        for (const SignatureMatch& match : matches)
-            if (match.score > best - 1e-9) diagnosis.ids.push_back(match.id);
+    const auto failed = std::ranges::find_if(results, has_failed);
+    if (failed == results.end()) return diagnosis;
+    diagnosis.first = *failed;
+    const auto endless = std::ranges::find(results, CheckState::endless, &CheckResult::state);
+    if (endless != results.end()) {
+        diagnosis.endless = *endless;
+        return diagnosis;
     }
-    if (diagnosis.endless || diagnosis.ids.size() > 2) diagnosis.ids.clear();
-    diagnosis.confidence = diagnosis.ids.empty() ? Confidence::none
-                           : certain             ? Confidence::certain
-                           : best > likely_score ? Confidence::likely
-                                                 : Confidence::perhaps;
+    std::vector<SignatureMatch> matches = rank_signatures(known, signature_of("", results));
+    std::erase_if(matches, [](const SignatureMatch& match) { return !match.may_be_named; });
+    for (const SignatureMatch& match : matches)
+        if (match.score > matches[0].score - 1e-9) diagnosis.ids.push_back(match.id);
+    if (diagnosis.ids.size() > 2) diagnosis.ids.clear();
+    diagnosis.confidence = diagnosis.ids.empty()             ? Confidence::none
+                           : matches[0].is_equal             ? Confidence::certain
+                           : matches[0].score > likely_score ? Confidence::likely
+                                                             : Confidence::perhaps;
     return diagnosis;
 }
 

@@ -75,9 +75,8 @@ struct SignatureMatch {
     std::string id;
     double score =
         0; ///< from 0 to 1: a weighted mean of the Jaccard indices of their checks, assertions and values
-    double values = 0;        ///< the Jaccard index of their values alone
-    bool contradicts = false; ///< an assertion that both fail has another value
-    bool is_equal = false;    ///< nothing differs, not even how often an assertion fails
+    bool may_be_named = false; ///< explains nine tenths of what is seen, half of it is seen, no value differs
+    bool is_equal = false;     ///< nothing differs, not even how often an assertion fails
 };
 
 /// Returns all known mistakes, best match first.
@@ -93,10 +92,11 @@ struct Diagnosis {
     Words suspects;                     ///< the functions in which that check may hang, if known
 };
 
-/// Diagnoses the results of all files of checks, in order. The file that fits a known mistake best decides. A name needs
-/// agreement of values: at least half of them equal, and no contradiction; it is certain only if nothing differs. More than
-/// two names are none. If a check does not finish, no mistake is named, because the results are incomplete.
-Diagnosis diagnose(const std::vector<Signature>& known, const std::vector<std::vector<CheckResult>>& files);
+/// Diagnoses the results of the checks. The name of a mistake must explain what is red: nearly all failures
+/// are its own, half of its own are there, and none of them has another value or comes much more or less
+/// often. It is certain only if nothing differs. More than two names are none. If a check does not finish, no
+/// mistake is named, because the results are incomplete.
+Diagnosis diagnose(const std::vector<Signature>& known, const std::vector<CheckResult>& results);
 
 /// Returns "certain", "likely", "possible" or "no known mistake".
 std::string name_of(Confidence confidence);

@@ -257,7 +257,7 @@ bool is_taken_for_another(const Trial& trial, const std::vector<Signature>& know
     std::erase_if(others, [&](const Signature& signature) {
         return signature.id == trial.change.id || !contains(rivals, signature.id);
     });
-    return !diagnose(others, {trial.outcome.results}).ids.empty();
+    return !diagnose(others, trial.outcome.results).ids.empty();
 }
 
 void judge_name(const Trial& trial, const std::vector<Signature>& known, Count& count, StepProof& proof) {
@@ -293,8 +293,26 @@ void judge_variants(const Trial& trial, Count& count, StepProof& proof) {
     proof.complaints.insert(proof.complaints.end(), trial.complaints.begin(), trial.complaints.end());
 }
 
+/// Writes the pictures in which a mistake's effect is easier to see.
+void write_closer_pictures(const Toolchain& tools, const Trial& trial, StepProof& proof) {
+    const Mistake& mistake = *trial.mistake;
+    const fs::path right = closer_right_picture(tools.root, proof.step, mistake.id),
+                   wrong = closer_picture(tools.root, proof.step, mistake.id);
+    fs::create_directories(right.parent_path());
+    const auto write = [&](const Change& change, const fs::path& picture) {
+        const fs::path made = tools.work / "pictures" / proof.step / "closer" / picture.filename();
+        if (!render_picture(tools, change, made, mistake.closer))
+            throw Error(mistake.place + ": no picture with " + joined(mistake.closer, " "));
+        fs::copy_file(made, picture, fs::copy_options::overwrite_existing);
+    };
+    write(proof.trials[0].change, right);
+    write(trial.change, wrong);
+    if (!differ(proof.step, right, wrong))
+        proof.complaints.push_back(mistake.id + " is not seen with " + joined(mistake.closer, " "));
+}
+
 /// Writes the pictures of the gallery: the correct one, and one for each mistake that changes the picture.
-void write_gallery(const Toolchain& tools, const StepProof& proof) {
+void write_gallery(const Toolchain& tools, StepProof& proof) {
     const fs::path right = gallery_picture(tools.root, proof.step, "right");
     fs::remove_all(right.parent_path());
     fs::create_directories(right.parent_path());
@@ -303,6 +321,9 @@ void write_gallery(const Toolchain& tools, const StepProof& proof) {
         if (trial.mistake != nullptr && trial.picture && trial.differs)
             fs::copy_file(picture_path(tools, trial.change),
                           gallery_picture(tools.root, proof.step, trial.change.id));
+    for (const Trial& trial : proof.trials)
+        if (trial.mistake != nullptr && !trial.mistake->closer.empty())
+            write_closer_pictures(tools, trial, proof);
 }
 
 std::vector<Signature> signatures_of(const StepProof& proof) {

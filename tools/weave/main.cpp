@@ -21,6 +21,7 @@
 namespace {
 
 namespace fs = std::filesystem;
+using rt::path_of, rt::text_of;
 
 struct Options {
     std::string root = ".";

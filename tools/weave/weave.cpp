@@ -111,11 +111,12 @@ std::string picture(const std::string& alternative, const fs::path& path) {
 std::string gallery_entry(const fs::path& root, const Mistake& mistake) {
     const auto path = [&](const std::string& id) { return gallery_picture("", mistake.step, id); };
     std::error_code ignored;
-    const bool seen = fs::exists(root / path(mistake.id), ignored);
+    const bool seen = fs::exists(root / path(mistake.id), ignored), closer = !mistake.closer.empty();
+    const fs::path right = closer ? closer_right_picture("", mistake.step, mistake.id) : path("right"),
+                   wrong = closer ? closer_picture("", mistake.step, mistake.id) : path(mistake.id);
     return "**" + sentence(mistake.title) + "** " + (seen ? sentence(mistake.shows) + " " : "") + "*Why:* " +
            sentence(mistake.why) + " *Fix:* " + sentence(mistake.fix) + "\n\n" +
-           (seen ? picture("right", path("right")) + " " + picture(mistake.title, path(mistake.id)) + "\n\n"
-                 : "");
+           (seen ? picture("right", right) + " " + picture(mistake.title, wrong) + "\n\n" : "");
 }
 
 std::string gallery(const fs::path& root, const std::string& what) {

@@ -14,7 +14,7 @@
 namespace rt {
 namespace {
 
-constexpr std::array<int ObjIndex::*, 3> index{&ObjIndex::position, &ObjIndex::uv, &ObjIndex::normal};
+constexpr std::array<int ObjIndex::*, 3> index_member{&ObjIndex::position, &ObjIndex::uv, &ObjIndex::normal};
 constexpr double smallest_size = 1e-15, largest_size = 1e16; // fourth powers of lengths fit a double
 
 /// What precedes a chunk in the file.
@@ -53,7 +53,7 @@ void add_facts(const std::string& path, const ParsedChunk& chunk, const Before& 
 void make_absolute(ParsedChunk& chunk, const Before& before) {
     for (const auto kind : {IndexKind::position, IndexKind::uv, IndexKind::normal}) {
         for (const std::size_t i : chunk.relative[kind]) {
-            int& number = chunk.corners[i].*index[kind];
+            int& number = chunk.corners[i].*index_member[kind];
             number += before.counts[kind];
             if (number < 0) number = chunk.largest[kind] = std::numeric_limits<int>::max();
         }
@@ -99,7 +99,7 @@ void drop_missing(ParsedChunk& chunk, IndexKind::Kind kind, int count, int lines
     if (chunk.largest[kind] <= count) return;
     std::size_t first = 0, dropped = 0;
     for (std::size_t i = 0; i < chunk.corners.size(); ++i) {
-        int& number = chunk.corners[i].*index[kind];
+        int& number = chunk.corners[i].*index_member[kind];
         if (number < count) continue;
         if (dropped++ == 0) first = i;
         number = -1;
@@ -114,7 +114,7 @@ void drop_unusable(std::deque<ParsedChunk>& chunks, IndexKind::Kind kind, std::v
     if (std::ranges::all_of(rows, usable)) return;
     for (ParsedChunk& chunk : chunks) {
         for (ObjIndex& corner : chunk.corners) {
-            int& number = corner.*index[kind];
+            int& number = corner.*index_member[kind];
             if (number >= 0 && !usable(rows[std::size_t(number)])) number = -1;
         }
     }

@@ -33,7 +33,8 @@ struct LensOptions {
     explicit LensOptions(Options& all)
         : options(all),
           aperture(all.option("aperture", 0.0f, 0.0f, 1000.0f,
-                              "diameter of the lens, metres; 0: a pinhole, with everything in focus")),
+                              "diameter of the lens, metres; 0: a pinhole, with everything in focus; "
+                              "if not given, that of the scene")),
           focus(all.option("focus", 0.0f, 0.0f, 1e6f,
                            "distance of the plane in focus, metres; 0: the distance to --at")) {}
 
