@@ -27,8 +27,8 @@ namespace {
 std::atomic<bool> is_stopped = false;
 std::function<bool()> is_cancelled;
 
-constexpr DWORD quota_exceeded = 0xc0000044,
-                abort_code = 3; ///< exit codes: STATUS_QUOTA_EXCEEDED, and of abort()
+/// Exit codes: the first of those that a crash gives, STATUS_QUOTA_EXCEEDED, and that of abort().
+constexpr DWORD first_crash = 0xc0000000, quota_exceeded = 0xc0000044, abort_code = 3;
 
 BOOL WINAPI note_stop(DWORD) {
     is_stopped = true;
@@ -171,7 +171,7 @@ std::string crash_text(DWORD code) {
     case 0xc000001d: return "crashed: invalid instruction (a function without a return statement?)";
     case 0xc0000006:
     case 0xc0000374: return "crashed: invalid memory access";
-    default: return code >= 0xc0000000 && code != quota_exceeded ? "crashed" : "";
+    default: return code >= first_crash && code != quota_exceeded ? "crashed" : "";
     }
 }
 
@@ -202,7 +202,8 @@ ProcessResult run_process(const Words& command, const ProcessOptions& options) {
     DWORD code = 0;
     GetExitCodeProcess(process.handle, &code);
     const bool timed_out = is_late || code == quota_exceeded || code == ERROR_NOT_ENOUGH_QUOTA;
-    return {int(code), timed_out, processor_seconds(process.handle), timed_out ? "" : crash_text(code)};
+    const int result = timed_out || code >= first_crash ? 128 : int(code); // negative otherwise
+    return {result, timed_out, processor_seconds(process.handle), timed_out ? "" : crash_text(code)};
 }
 
 // Windows replaces no process: this one waits for the other and ends with its code.
