@@ -21,7 +21,6 @@
 namespace {
 
 namespace fs = std::filesystem;
-using rt::path_of, rt::text_of;
 
 struct Options {
     std::string root = ".";
