@@ -7,7 +7,7 @@ import { chapter, inline, page_name } from './chapter.mjs';
 import { code_page, files, page_of } from './code.mjs';
 import { framed } from './frame.mjs';
 import { terms } from './glossary.mjs';
-import { assets, write_scripts } from './live.mjs';
+import { check_live, write_scripts } from './live.mjs';
 import { escaped } from './markdown.mjs';
 import { here, root } from './places.mjs';
 import { steps } from './wasm.mjs';
@@ -20,17 +20,17 @@ const { values: wanted } = parseArgs({ options: {
 const { out } = wanted;
 const with_puzzles = steps.filter((step) => wanted.mistakes === 'all' || wanted.mistakes.split(',').includes(step.slice(0, 2)));
 
-/** What is live in a chapter whose text does not say so. */
+/** What is live in the chapters whose text does not say so. */
 const usual = {
-    '01_spheres': '01_spheres --options radius,squares,view',
-    '02_shadows': '02_shadows --options warm,cool,view',
-    '03_mirror': '03_mirror --options depth,reflectivity,view',
-    '04_refraction': '04_refraction --options ior,bubble,depth,view',
-    '05_mesh_bvh': '05_mesh_bvh --options view --accel wide',
-    '06_textures': '06_textures --options view --accel wide',
-    '07_antialias': '07_antialias --options sampler,filter,aperture',
-    '08_indirect': '08_indirect --options direct,no-indirect,depth',
+    '01_spheres': '01_spheres --options radius,squares,view --trace',
+    '05_mesh_bvh': '05_mesh_bvh --options view --trace --accel wide',
+    '07_antialias': '07_antialias --options sampler,filter,aperture --trace',
+    '08_indirect': '08_indirect --options direct,no-indirect,depth --trace',
 };
+
+/** The pictures of chapters that explain by themselves. */
+const explaining = { '01_camera.svg': 'camera', '01_sphere.svg': 'sphere_roots', '05_split.svg': 'split', '07_samples.svg': 'samples',
+    '07_lens.svg': 'lens' };
 
 const sources = [
     ...readdirSync(join(root, 'docs')).filter((name) => name.endsWith('.md')).sort().map((name) => join(root, 'docs', name)),
@@ -43,8 +43,8 @@ function read_pages() {
     const pages = sources.map((file) => {
         const step = steps.find((name) => file.endsWith(`/${name}.md`));
         const name = page_name(file);
-        return { name, file, step, part: step ? 'chapter' : 'appendix',
-            ...chapter(file, { terms: name !== 'glossary.html' && !/log|contrib/.test(name), default_live: step ? usual[step] : '' }) };
+        return { name, file, step, part: step ? 'chapter' : file.includes('/docs/') ? 'appendix' : 'other',
+            ...chapter(file, { terms: name !== 'glossary.html' && !/log|contrib/.test(name), default_live: step ? { [`reference/${step}.png`]: usual[step], ...explaining } : {} }) };
     });
     for (const page of pages) page.label = label(page.title);
     return [...pages.filter((page) => page.step), ...pages.filter((page) => !page.step)];
@@ -112,10 +112,9 @@ function copy_library_files() {
     for (const name of readdirSync(join(here, 'page'))) copyFileSync(join(here, 'page', name), join(out, name));
 }
 
-const live_scripts = ['program.js', 'worker.js', 'view.js', 'camera.js', 'live.js', 'quiz.js'];
+const live_scripts = ['program.js', 'worker.js', 'view.js', 'camera.js', 'rays.js', 'live.js', 'quiz.js', 'figures.js'];
 
-function write_pages() {
-    const pages = read_pages();
+function write_pages(pages) {
     const front = front_page(pages);
     for (const page of pages) {
         if (page.name === 'glossary.html') page.html = with_term_ids(page.html);
@@ -139,6 +138,10 @@ function write_pages() {
 
 mkdirSync(out, { recursive: true });
 for (const name of ['code', 'docs', 'exercises', 'assets']) rmSync(join(out, name), { recursive: true, force: true });
-console.log(write_pages());
-if (!wanted['pages-only']) await write_scripts(out, steps, with_puzzles, console.log);
+const pages = read_pages();
+console.log(write_pages(pages));
+if (!wanted['pages-only']) {
+    for (const live of pages.flatMap((page) => page.lives)) await check_live(live);
+    await write_scripts(out, with_puzzles, console.log);
+}
 console.log(`wrote ${join(out, 'index.html')}`);

@@ -65,9 +65,10 @@ export function live_of(argument) {
     return { step, options, words, trace: at >= 0 };
 }
 
-/** A picture after a live comment becomes a figure. */
+/** A picture after a live comment becomes a figure: a step's picture, or one that explains, as in <!-- live: snell -->. */
 const lively = (html) => html.replace(/<!-- live: (.*?) -->\s*<p>(<img [^>]*>)<\/p>/g, (_, argument, image) => {
     const live = live_of(argument);
+    if (!/^\d/.test(live.step)) return `<figure class="explain" data-figure="${live.step}">${image}</figure>`;
     return `<figure class="live" data-step="${live.step}" data-options="${live.options.join(',')}" data-words="${escaped(live.words.join(' '))}"` +
         `${live.trace ? ' data-trace' : ''}>${image}</figure>`;
 });
@@ -95,16 +96,17 @@ export function place_on_site(href, from) {
 }
 
 /**
- * Answers {title, html, headings, pictures} of a file of Markdown. `default_live` is the argument of a live comment for
- * the chapter's reference picture, unless the text has one.
+ * Answers {title, html, headings, pictures, lives} of a file of Markdown. `default_live` has the arguments of live comments by
+ * the end of a picture's path, for a text without any.
  */
-export function chapter(file, { terms = true, default_live = '' } = {}) {
+export function chapter(file, { terms = true, default_live = {} } = {}) {
     const source = readFileSync(file, 'utf8').replace(/\r/g, '');
     const marked = source.replace(/^<!-- (\w+): (.*?) -->\n([\s\S]*?)^<!-- end -->$/gm,
         (whole, kind, argument, body) => (regions[kind] ?? (() => whole))(argument, body));
     const step = basename(file).match(/^\d\d_\w+(?=\.md)/)?.[0];
-    const reference = step && `![${marked.match(new RegExp(`!\\[([^\\]]*)\\]\\(\\.\\./assets/reference/${step}\\.png\\)`))?.[1]}](../assets/reference/${step}.png)`;
-    const wanted = default_live && !source.includes('<!-- live:') ? marked.replace(reference, `<!-- live: ${default_live} -->\n\n${reference}`) : marked;
+    let wanted = marked;
+    for (const [picture, argument] of Object.entries(source.includes('<!-- live:') ? {} : default_live))
+        wanted = wanted.replace(new RegExp(`^!\\[[^\\]]*\\]\\(\\S*${picture}\\)$`, 'm'), (image) => `<!-- live: ${argument} -->\n\n${image}`);
     const env = { step: step ?? '99', terms };
     const tokens = md.parse(wanted, env);
     let html = without_empty_headers(lively(md.renderer.render(tokens, md.options, env))).replace(/<!--[\s\S]*?-->/g, '');
@@ -121,5 +123,6 @@ export function chapter(file, { terms = true, default_live = '' } = {}) {
         return place ? `<a href="${place}">${text}</a>` : text;
     });
     const headings = [...html.matchAll(/<h([23]) id="([^"]+)"[^>]*>([\s\S]*?)<\/h\1>/g)].map(([, level, id, text]) => ({ level: Number(level), id, text: text.replace(/<a [^>]*>|<\/a>/g, '') }));
-    return { title: source.match(/^# (.*)/m)[1], source, html, headings, pictures };
+    const lives = [...wanted.matchAll(/^<!-- live: (.*?) -->$/gm)].map(([, argument]) => ({ file: relative(root, file), ...live_of(argument) }));
+    return { title: source.match(/^# (.*)/m)[1], source, html, headings, pictures, lives };
 }

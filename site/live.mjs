@@ -7,7 +7,9 @@ import { promisify } from 'node:util';
 import { gzipSync } from 'node:zlib';
 import { switches } from './mistakes.mjs';
 import { root } from './places.mjs';
-import { program } from './wasm.mjs';
+import { traced_patch } from './traces.mjs';
+import { figures, program, steps } from './wasm.mjs';
+import './page/program.js';
 
 const run = promisify(execFile);
 const packed = (bytes) => gzipSync(bytes, { level: 9 }).toString('base64');
@@ -34,15 +36,38 @@ export async function packed_assets() {
     return folder;
 }
 
+/** Throws unless the program of a live comment takes its words and has its options. */
+export async function check_live({ file, step, options, words }) {
+    const fail = (problem) => { throw new Error(`${file}: <!-- live: ${step} ... -->: ${problem}`); };
+    if (/^\d/.test(step) && !steps.includes(step)) fail('there is no such step');
+    const page = new Raysteps.Program(new WebAssembly.Module(await (/^\d/.test(step) ? program(step) : figures())), await files_of(step));
+    let declared;
+    try {
+        declared = page.start(/^\d/.test(step) ? words : [step, ...words]);
+    } catch (problem) {
+        fail(problem.message);
+    }
+    for (const name of options)
+        if (!declared.options.some((option) => option.name === name)) fail(`it has no option --${name}`);
+}
+
+/** The files that a step's program reads, as the page hands them over. */
+export async function files_of(step) {
+    const folder = await packed_assets();
+    return Object.fromEntries((assets[step] ?? []).map((name) => [name, readFileSync(join(folder, name))]));
+}
+
 /** Writes step_*.js, asset_*.js and mistakes_*.js; answers their sizes. */
-export async function write_scripts(out, steps, with_mistakes, say) {
+export async function write_scripts(out, with_mistakes, say) {
     const folder = await packed_assets();
     for (const name of new Set(steps.flatMap((step) => assets[step] ?? [])))
         writeFileSync(join(out, `asset_${name}.js`), script('assets', name, packed(readFileSync(join(folder, name)))));
     await Promise.all(steps.map(async (step) => {
         writeFileSync(join(out, `step_${step}.js`), script('steps', step, { wasm: packed(await program(step)), files: assets[step] ?? [] }));
+        writeFileSync(join(out, `trace_${step}.js`), script('traces', step, packed(await traced_patch(step))));
         say(`${step}: program`);
     }));
+    writeFileSync(join(out, 'drawings.js'), script('drawings', 'wasm', packed(await figures())));
     for (const step of with_mistakes) {
         const { list, patches } = await switches(step);
         writeFileSync(join(out, `mistakes_${step}.js`), script('mistakes', step, { list, patches: patches.toString('base64') }));

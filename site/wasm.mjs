@@ -4,7 +4,7 @@ import { execFile } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readFileSync, readdirSync, renameSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
-import { dirname, join } from 'node:path';
+import { dirname, join, relative } from 'node:path';
 import { promisify } from 'node:util';
 import { root } from './places.mjs';
 
@@ -52,7 +52,8 @@ const limit = (() => { // runs so many compilers at a time
 /** Runs the compiler on a source, unless what it makes is there already, and answers where that is. */
 async function compiled(source, { options, overlay, ending, mode }) {
     version ??= (await run(compiler, ['--version'])).stdout;
-    const key = hash(version, ...flags, ...options, ...mode, ...[...closure(source, overlay)].flat());
+    const included = mode.filter((option) => option.endsWith('.h')).flatMap((path) => [...closure(relative(root, path), overlay)].flat());
+    const key = hash(version, ...flags, ...options, ...mode, ...included, ...[...closure(source, overlay)].flat());
     const path = join(work, 'objects', `${source.replaceAll('/', '_').replace(/\.\w+$/, '')}.${key}.${ending}`);
     if (existsSync(path)) return path;
     const folder = `${path}.overlay`, fresh = `${path}.${process.pid}`, glm = join(work, 'include');
@@ -75,11 +76,25 @@ const ahead = new Map(); // by options: what most steps include, parsed once
 /** Compiles a source and answers the path of its object. */
 async function object(source, options, overlay = new Map()) {
     if (!source.startsWith('steps/')) return compiled(source, { options, overlay, ending: 'o', mode: ['-c'] });
-    const own = [...options, '-Dmain=step_main'];
+    const own = [...options.filter((option) => option.startsWith('-m')), '-Dmain=step_main'];
     const key = own.join(' ');
     if (!ahead.has(key))
         ahead.set(key, compiled('common/pch.h', { options: own, overlay: new Map(), ending: 'pch', mode: ['-x', 'c++-header'] }));
-    return compiled(source, { options: own, overlay, ending: 'o', mode: ['-include-pch', await ahead.get(key), '-c'] });
+    const more = options.filter((option) => !own.includes(option));
+    return compiled(source, { options: own, overlay, ending: 'o', mode: ['-include-pch', await ahead.get(key), ...more, '-c'] });
+}
+
+/** Links objects, unless that has been done, and answers the program's bytes. */
+async function linked(name, objects) {
+    const path = join(work, 'objects', `${name}.${hash(...objects)}.wasm`);
+    if (!existsSync(path)) {
+        const link = ['-mexec-model=reactor', '-Wl,-z,stack-size=1048576', '-Wl,--strip-all', '-Wl,--gc-sections',
+            '-Wl,--export=__stack_pointer'];
+        const fresh = `${path}.${process.pid}`;
+        await limit(() => run(compiler, [...target, ...link, ...objects, '-o', fresh]));
+        renameSync(fresh, path);
+    }
+    return readFileSync(path);
 }
 
 /**
@@ -92,13 +107,12 @@ export async function program(step, overlay = new Map(), options = []) {
     const objects = await Promise.all([
         object(`steps/${step}/main.cpp`, own, overlay),
         ...sources.map((source) => object(source, usesModels(step) ? simd : []))]);
-    const path = join(work, 'objects', `${step}.${hash(...objects)}.wasm`);
-    if (!existsSync(path)) {
-        const link = ['-mexec-model=reactor', '-Wl,-z,stack-size=1048576', '-Wl,--strip-all', '-Wl,--gc-sections',
-            '-Wl,--export=__stack_pointer'];
-        const fresh = `${path}.${process.pid}`;
-        await limit(() => run(compiler, [...target, ...link, ...objects, '-o', fresh]));
-        renameSync(fresh, path);
-    }
-    return readFileSync(path);
+    return linked(step, objects);
+}
+
+/** Builds the program of the figures that explain, site/figures. */
+export async function figures() {
+    const own = readdirSync(join(root, 'site/figures')).filter((name) => name.endsWith('.cpp')).map((name) => `site/figures/${name}`);
+    const options = (source) => (source.endsWith('/main.cpp') ? ['-Oz', '-Dmain=step_main'] : ['-Oz']); // small: they draw little
+    return linked('figures', await Promise.all([...own, ...outside].map((source) => object(source, options(source)))));
 }

@@ -7,6 +7,7 @@
 //     end   name  ok|failed|skipped  seconds  the test case is over
 // --seconds-per-check=5 ends the process if a test case uses more processor time.
 #define DOCTEST_CONFIG_IMPLEMENT
+#define DOCTEST_CONFIG_NO_WINDOWS_SEH // a crash ends the process with its own code, which the tutor reads
 #include <doctest/doctest.h>
 
 #include "common/util/system.h"

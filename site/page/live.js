@@ -2,6 +2,7 @@
 (() => {
     const { made, script, View } = Page;
     const shown_width = 480, slow = 90; // pixels; milliseconds of a pass while dragging
+    const coarse = 3; // the very first pass has so many times fewer columns and rows
     const number = (value) => Number(value.toPrecision(3));
 
     /** The controls of one option of the program; `change` is called with the words for the command line, or none. */
@@ -22,7 +23,7 @@
             return { label, reset: () => { select.value = initial; } };
         }
         // A wide range is shown up to a few times the default: the terminal has the rest.
-        const top = high > 8 * Math.max(1, initial) ? 4 * Math.max(1, initial) : high;
+        const top = low >= 0 && high > 8 * Math.max(1, initial) ? 4 * Math.max(1, initial) : high;
         const input = made('input', { type: 'range', min: low, max: top, step: kind === 'whole' ? 1 : 'any', value: initial });
         const output = made('output', { textContent: initial });
         input.oninput = () => {
@@ -37,7 +38,7 @@
     /** A picture that can be walked round. Its state is its command line. */
     class Live {
         constructor(figure, code, declared, { step, options = [], words = [] }) {
-            Object.assign(this, { figure, step, fixed: words, chosen: new Map() });
+            Object.assign(this, { figure, code, step, fixed: words, chosen: new Map() });
             const option = (name) => declared.options.find((each) => each.name === name);
             const given = (name) => { const at = words.indexOf(name); return at < 0 ? undefined : words[at + 1]; };
             const [width, height] = ['width', 'height'].map((name) => option(name).initial);
@@ -46,6 +47,7 @@
             this.samples = Number(given('--samples') ?? option('samples').initial);
             this.home = { from: option('from').initial, at: option('at').initial, fov: option('fov').initial };
             this.camera = this.home;
+            if ('trace' in figure.dataset) this.rays = new Page.Rays(this);
             this.make_stage(figure.querySelector('img'));
             this.make_controls(options.map(option).filter(Boolean));
             this.view = new View(this.canvas, code, (news) => this.tell(news));
@@ -56,8 +58,8 @@
             this.image = image;
             this.canvas = made('canvas', { ...this.size, tabIndex: 0 });
             this.canvas.setAttribute('role', 'img');
-            this.canvas.setAttribute('aria-label', `${image?.alt ?? 'A picture with a mistake'}. The arrow keys walk around it, plus and minus go closer and away.`);
-            this.stage = made('div', { className: 'stage' }, this.canvas, made('p', { className: 'hint', textContent: 'drag to walk around' }));
+            this.canvas.setAttribute('aria-label', `${image?.alt ?? 'A picture with a mistake'}. The arrow keys walk around it, plus and minus go closer and away.${this.rays ? ' Enter tells the rays of the middle pixel.' : ''}`);
+            this.stage = made('div', { className: 'stage' }, this.canvas, made('p', { className: 'hint', textContent: this.rays ? 'drag to walk around · click a pixel for its rays' : 'drag to walk around' }));
         }
 
         make_controls(options) {
@@ -79,23 +81,40 @@
             this.figure.append(...(options.length ? [this.panel] : []), this.command, this.state);
         }
 
-        /** The words of the command line but for the size. */
-        words() {
-            const moved = this.camera === this.home ? [] : ['--from', this.camera.from.join(',')];
-            return [...this.fixed, ...[...this.chosen.values()].flat(), ...moved];
+        /** The words of the command line but for the size; without the camera's if `moved` is false. */
+        words({ moved = true } = {}) {
+            const from = !moved || this.camera === this.home ? [] : ['--from', this.camera.from.join(',')];
+            return [...this.fixed, ...[...this.chosen.values()].flat(), ...from];
         }
 
+        /** The same with the size. */
+        sized_words({ scale = 1, moved = true } = {}) {
+            const size = ['width', 'height'].flatMap((name) => [`--${name}`, String(Math.round(this.size[name] / scale))]);
+            return [...size, '--samples', String(this.samples), ...this.words({ moved })];
+        }
+
+        /** The field of view, which an option may have changed. */
+        get fov() { return Number(this.chosen.get('fov')?.[1] ?? this.home.fov); }
+
         draw(scale = 1) {
-            const { width, height } = this.size, words = this.words();
-            const size = { width: Math.round(width / scale), height: Math.round(height / scale) };
-            const all = (of) => ['--width', String(of.width), '--height', String(of.height), '--samples', String(this.samples), ...words];
-            this.line.textContent = `./learn run ${this.step.slice(0, 2)} ${all(this.size).join(' ')}`;
-            this.view.show({ words: all(size), ...size, samples: scale === 1 ? this.samples : 1 });
+            const [width, height] = [this.size.width, this.size.height].map((side) => Math.round(side / scale));
+            this.line.textContent = `./learn run ${this.step.slice(0, 2)} ${this.sized_words().join(' ')}`;
+            this.view.show({ words: this.sized_words({ scale }), width, height, samples: scale === 1 ? this.samples : 1 });
+            if (scale === 1 && this.rays?.pixel) this.rays.choose(...this.rays.pixel);
+        }
+
+        /** Shows the rays of the pixel under the pointer. */
+        choose({ clientX, clientY }) {
+            const box = this.canvas.getBoundingClientRect();
+            const [x, y] = [(clientX - box.left) / box.width * this.size.width, (clientY - box.top) / box.height * this.size.height];
+            this.rays?.choose(Math.floor(x), Math.floor(y)).catch((problem) => this.tell({ problem: problem.message }));
         }
 
         reset() {
             this.camera = this.home;
             this.chosen.clear();
+            if (this.rays) this.rays.pixel = null;
+            this.rays?.panel.remove();
             for (const each of this.controls) each.reset();
             this.draw();
         }
@@ -119,6 +138,7 @@
             this.figure.dataset.first = milliseconds.toFixed(0);
             if (!this.stage.isConnected) {
                 if (this.image) this.image.replaceWith(this.stage); else this.figure.prepend(this.stage);
+                this.draw();
             }
         }
 
@@ -133,20 +153,22 @@
 
         listen() {
             const { canvas } = this;
-            let held = null, scale = 1;
+            let held = null, pressed = null, scale = 1;
+            const still = (event) => Math.hypot(event.clientX - pressed.clientX, event.clientY - pressed.clientY) < 4;
             canvas.onpointerdown = (event) => {
-                held = event;
+                held = pressed = event;
                 scale = this.drag_scale;
                 canvas.setPointerCapture(event.pointerId);
             };
             canvas.onpointermove = (event) => {
-                if (!held) return;
+                if (!held || (held === pressed && still(event))) return;
                 this.walk({ across: -(event.clientX - held.clientX) * 0.008, upward: (event.clientY - held.clientY) * 0.006 }, scale);
                 held = event;
             };
-            canvas.onpointerup = canvas.onpointercancel = () => {
+            canvas.onpointerup = canvas.onpointercancel = (event) => {
+                if (held && held === pressed && event.type === 'pointerup') this.choose(event);
+                else if (held && (scale > 1 || this.rays?.pixel)) this.draw();
                 held = null;
-                if (scale > 1) this.draw();
             };
             canvas.addEventListener('wheel', (event) => {
                 if (document.activeElement !== canvas) return; // the page scrolls until the picture is clicked
@@ -155,6 +177,7 @@
             }, { passive: false });
             const keys = { ArrowLeft: { across: -0.08 }, ArrowRight: { across: 0.08 }, ArrowUp: { upward: 0.08 }, ArrowDown: { upward: -0.08 }, '+': { far: 0.9 }, '=': { far: 0.9 }, '-': { far: 1 / 0.9 } };
             canvas.onkeydown = (event) => {
+                if (event.key === 'Enter') this.rays?.choose(this.size.width >> 1, this.size.height >> 1);
                 if (!keys[event.key]) return;
                 event.preventDefault();
                 this.walk(keys[event.key]);
@@ -173,7 +196,7 @@
         const fixed = words?.split(' ').filter(Boolean) ?? [];
         const declared = new Raysteps.Program(code.module, code.files).start(fixed);
         const live = new Live(figure, more.code ?? code, declared, { step, options: options?.split(',').filter(Boolean), words: fixed });
-        live.draw();
+        live.draw(coarse);
         figure.sees = (seen) => (seen ? live.view.resume() : live.view.pause());
         sight.observe(figure);
         return live;
@@ -207,5 +230,5 @@
             sight.observe(figure);
         }
     }
-    Object.assign(Page, { enliven });
+    Object.assign(Page, { enliven, control });
 })();

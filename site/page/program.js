@@ -23,6 +23,8 @@ globalThis.makeRaysteps = () => {
                 declare: (at, size) => { this.declared = JSON.parse(this.#text(at, size)); },
                 ready: () => { throw new Left(); },
                 fail: (at, size) => { throw new Left(this.#text(at, size)); },
+                drawn: (svg, size, words, length) => this.drawn?.(this.#text(svg, size), this.#text(words, length)), // of a figure
+                ray: (...numbers) => this.ray?.(...numbers), // of a program that tells its rays
             };
         }
 
@@ -46,6 +48,11 @@ globalThis.makeRaysteps = () => {
                     return 0;
                 },
                 environ_get: () => 0,
+                fd_fdstat_get: (file, at) => { // a terminal, to which whole lines are written
+                    new Uint8Array(this.memory.buffer, at, 24).fill(0);
+                    view().setUint8(at, 2);
+                    return 0;
+                },
                 proc_exit: (code) => { throw new Left(`the program ended with ${code}`); },
             };
             const nothing = () => 8;

@@ -10,6 +10,16 @@
         return all;
     };
 
+    const sentence = (text) => (/^\w\b/.test(text) ? text : text[0].toUpperCase() + text.slice(1));
+
+    /** Right and wrong, with a slider across. */
+    function pair_of(step, mistake) {
+        const picture = (name, alt) => made('img', { src: `exercises/${step}/gallery/${name}.png`, alt });
+        const compare = made('div', { className: 'compare' }, picture('right', 'right'), picture(mistake.id, 'wrong'));
+        Page.slide(compare);
+        return compare;
+    }
+
     const lines_of = (mistake) => {
         const code = made('code');
         for (const line of mistake.lines) {
@@ -40,7 +50,7 @@
             const others = [...shuffled(near).slice(0, 2), ...shuffled(far)].slice(0, 3);
             this.after.replaceChildren();
             this.answers.replaceChildren(...shuffled([this.mistake, ...others]).map((each) => {
-                const button = made('button', { type: 'button', textContent: `${each.title} (${each.file.split('/').at(-1)})` });
+                const button = made('button', { type: 'button', textContent: `${sentence(each.title)} (${each.file.split('/').at(-1)})` });
                 button.onclick = () => this.judge(button, each);
                 return button;
             }));
@@ -52,7 +62,7 @@
             button.dataset.mark = right ? '✓' : '✗';
             button.disabled = true;
             if (right) this.explain();
-            else this.after.replaceChildren(made('p', { textContent: `No: with that mistake, you would see this: ${choice.shows}` }));
+            else this.after.replaceChildren(made('p', { textContent: `No. With that mistake: ${choice.shows}` }));
         }
 
         explain() {
@@ -62,9 +72,9 @@
             mend.onclick = async () => { this.live.view.use(await Page.step(this.live.step)); this.live.draw(); mend.disabled = true; };
             const more = made('button', { type: 'button', className: 'small', textContent: 'Another one', onclick: () => this.next() });
             this.after.replaceChildren(
-                made('p', {}, made('strong', { textContent: `Right: ${title}. ` }), shows),
+                made('p', {}, made('strong', { textContent: `Right: ${title}. ` }), sentence(shows)), pair_of(this.live.step, this.mistake),
                 made('p', { className: 'source', textContent: `steps/${file}` }), lines_of(this.mistake),
-                made('p', { textContent: why }), made('p', {}, made('em', { textContent: 'Fix: ' }), fix),
+                made('p', { textContent: sentence(why) }), made('p', {}, made('em', { textContent: 'Fix: ' }), fix),
                 mend, ' ', more);
         }
     }

@@ -30,6 +30,14 @@
         return { list, code };
     })());
 
+    const traces = {};
+    /** The program that tells the rays of a step's picture. */
+    const trace_of = (name) => (traces[name] ??= (async () => {
+        await script(`trace_${name}.js`);
+        const right = await step(name), patch = await unpacked(RAYSTEPS.traces[name]);
+        return { ...right, module: await WebAssembly.compile(Raysteps.patched(right.bytes, patch)) };
+    })());
+
     let worker_address;
     function started_worker(code) {
         worker_address ??= URL.createObjectURL(new Blob([`globalThis.Raysteps = (${makeRaysteps})(); (${rayStepsWorker})();`], { type: 'text/javascript' }));
@@ -40,10 +48,10 @@
 
     class View {
         /** `tell` is called with {problem}, with {first} (the milliseconds of the first pass) and with {done} samples. */
-        constructor(canvas, code, tell) {
+        constructor(canvas, code, tell, most_workers = 8) {
             Object.assign(this, { canvas, tell, number: 0, wish: null, busy: false, scale: 1 });
             this.context = canvas.getContext('2d', { alpha: false });
-            this.workers = Array.from({ length: Math.max(1, Math.min(navigator.hardwareConcurrency ?? 2, 8)) }, () => started_worker(code));
+            this.workers = Array.from({ length: Math.max(1, Math.min(navigator.hardwareConcurrency ?? 2, most_workers)) }, () => started_worker(code));
             for (const worker of this.workers) worker.onmessage = ({ data }) => this.take(data);
         }
 
@@ -108,5 +116,5 @@
         }
     }
 
-    Object.assign(Page, { step, mistakes_of, View });
+    Object.assign(Page, { unpacked, step, mistakes_of, trace_of, View });
 })();

@@ -72,3 +72,23 @@ test('a puzzle names the mistake when the right line is chosen', { skip }, async
     await whole_picture(page, '.quiz figure.live');
     assert.deepEqual(page.problems, []);
 });
+
+const drawn = async (figure, input, key) => {
+    await input.press(key);
+    return figure.locator('svg').innerHTML();
+};
+
+test('every figure that explains is drawn and answers to its controls', { skip }, async () => {
+    for (const name of ['01_spheres', '02_shadows', '04_refraction', '05_mesh_bvh', '06_textures', '07_antialias']) {
+        const page = await open_page(`${name}.html`);
+        for (const figure of await page.locator('figure.explain').all()) {
+            await figure.scrollIntoViewIfNeeded();
+            await figure.locator('svg').waitFor();
+            for (const input of await figure.locator('input[type=range]').all()) {
+                const [low, high] = [await drawn(figure, input, 'Home'), await drawn(figure, input, 'End')];
+                assert.notEqual(low, high, `${name}, ${await figure.getAttribute('data-figure')}`);
+            }
+        }
+        assert.deepEqual(page.problems, []);
+    }
+});

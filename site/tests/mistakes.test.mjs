@@ -13,7 +13,7 @@ const differs = {
     'fov-whole': 200, // the GNU library's tanf(36 degrees) is not the nearest float
     'pointer-to-copy': Infinity, // reads what is no longer there
 };
-const wanted = (process.env.RAYSTEPS_MISTAKES ?? '01,02,03,04').split(',');
+const wanted = (process.env.RAYSTEPS_WEB_MISTAKES ?? '01,02,03,04').split(',');
 
 test('a patch gives back what it was made from', () => {
     const base = Buffer.from(Array.from({ length: 5000 }, (_, i) => (i * i + (i >> 3)) & 255));

@@ -4,9 +4,10 @@ import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { promisify } from 'node:util';
 import { inflateSync } from 'node:zlib';
-import { assets, packed_assets } from '../live.mjs';
 import { root } from '../places.mjs';
 import '../page/program.js';
+
+export { files_of } from '../live.mjs';
 
 const run = promisify(execFile);
 
@@ -35,12 +36,6 @@ export function read_png(file) {
             rgb[at] = undone(raw[y * (row + 1)], raw[y * (row + 1) + 1 + i], left, up, corner);
         }
     return { width, height, rgb };
-}
-
-/** The files that a step's program reads, as the page hands them over. */
-export async function files_of(step) {
-    const folder = await packed_assets();
-    return Object.fromEntries((assets[step] ?? []).map((name) => [name, readFileSync(join(folder, name))]));
 }
 
 /** What a program of the page renders: {width, height, rgb, rays}. */

@@ -1,6 +1,7 @@
 // What the page's programs refuse, and in which words.
 import assert from 'node:assert/strict';
 import test from 'node:test';
+import { check_live } from '../live.mjs';
 import { program } from '../wasm.mjs';
 import '../page/program.js';
 
@@ -39,4 +40,13 @@ test('a picture too large for a page is refused', () => {
 
 test('an unknown option is refused with a suggestion', () => {
     assert.equal(refused('--radios', '1'), '"--radios" is not an option of 01_spheres (did you mean --radius?)');
+});
+
+test('a live comment is refused that names no step or no option', async () => {
+    const live = { file: 'docs/a.md', step: '01_spheres', options: ['radius'], words: [] };
+    await check_live(live);
+    await assert.rejects(check_live({ ...live, options: ['radios'] }), /docs\/a.md: <!-- live: 01_spheres ... -->: it has no option --radios/);
+    await assert.rejects(check_live({ ...live, step: '09_none' }), /there is no such step/);
+    await assert.rejects(check_live({ ...live, step: 'roots' }), /there is no such figure/);
+    await assert.rejects(check_live({ ...live, words: ['--radius', '9'] }), /is not a number from 0.1 to 3/);
 });

@@ -8,6 +8,7 @@
 #include "site/twins/page.h"
 
 #include <algorithm>
+#include <stdexcept>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -49,6 +50,7 @@ struct Options::Parser {
     /// Declares an option; `more` are the fields of its JSON that belong to its kind.
     void add(const std::string& option, const std::string& kind, const std::string& more,
              const std::string& help, const std::function<void(const std::string& text)>& read) {
+        if (find(option)) throw std::logic_error("two options are called --" + option);
         options.push_back({option,
                            "{\"name\":" + quoted(option) + ",\"kind\":" + quoted(kind) + more +
                                ",\"help\":" + quoted(help) + "}",

@@ -75,7 +75,7 @@ TEST_CASE("the reference is cut where the learner has gaps, and nowhere else") {
 
 TEST_CASE("behind a filled function the lines have the learner's numbers again") {
     const Learner learner;
-    const std::string path = text_of(learner.own("01_one/shape.h"));
+    const std::string path = rt::text_of(learner.own("01_one/shape.h"));
     put(path, content_of(path) + "int after;\n");
     int line = 0, expected = 0, found = 0;
     for (const std::string& each : lines_of(content_of(path))) {

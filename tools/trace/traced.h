@@ -31,6 +31,14 @@ inline bool wanted() {
     return samples == number;
 }
 
+/// What a ray met. A program that draws rays sets `draw`; it is called before the lines about the ray are printed.
+enum class Met { nothing, surface, occluder, light };
+inline void (*draw)(vec3 from, vec3 to, Met met) = nullptr;
+
+inline void draw_ray(vec3 from, vec3 to, Met met) {
+    if (draw && wanted()) draw(from, to, met);
+}
+
 template <typename... Values>
 void say(const char* pattern, Values... values) {
     if (!wanted()) return;
@@ -69,6 +77,10 @@ inline std::string place([[maybe_unused]] const Scene& scene, vec3 point) {
 }
 
 inline void say_hit(const Scene& scene, const Ray& ray, const std::optional<Hit>& hit) {
+    if (hit)
+        draw_ray(ray.origin, hit->position, Met::surface);
+    else
+        draw_ray(ray.origin, ray.origin + 100.0f * normalize(ray.direction), Met::nothing);
     say("ray from %s, direction %s", place(scene, ray.origin).c_str(), text(ray.direction).c_str());
     if (!hit) return say("  hits %s", "nothing");
     const auto& material = scene.materials[std::size_t(hit->material)];
@@ -102,6 +114,7 @@ inline std::optional<Hit> intersect(const TracedScene& scene, const Ray& ray) {
 #if RT_STEP >= 2
 inline bool occluded(const TracedScene& scene, const Ray& ray) {
     const bool dark = occluded<Scene>(scene, ray);
+    trace::draw_ray(ray.origin, at(ray, ray.t_max), dark ? trace::Met::occluder : trace::Met::light);
     trace::say("shadow ray from %s to %s: %s", trace::place(scene, ray.origin).c_str(),
                trace::place(scene, at(ray, ray.t_max)).c_str(), dark ? "occluded" : "unoccluded");
     return dark;

@@ -27,7 +27,7 @@ struct ProcessOptions {
 };
 
 struct ProcessResult {
-    int code = 0;           ///< the exit code; 128 + n: signal n ended it
+    int code = 0;           ///< the exit code; 128 or more: it crashed or was stopped
     bool timed_out = false; ///< a time limit ended it
     double cpu_seconds = 0;
     std::string crash; ///< describes the crash to a learner; empty if there was none

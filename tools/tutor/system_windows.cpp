@@ -14,6 +14,7 @@
 #include <atomic>
 #include <conio.h>
 #include <cstdlib>
+#include <future>
 #include <iostream>
 #include <mutex>
 
@@ -26,8 +27,8 @@ namespace {
 std::atomic<bool> is_stopped = false;
 std::function<bool()> is_cancelled;
 
-constexpr DWORD quota_exceeded = 0xc0000044,
-                abort_code = 3; ///< exit codes: STATUS_QUOTA_EXCEEDED, and of abort()
+/// Exit codes: the first of those that a crash gives, STATUS_QUOTA_EXCEEDED, and that of abort().
+constexpr DWORD first_crash = 0xc0000000, quota_exceeded = 0xc0000044, abort_code = 3;
 
 BOOL WINAPI note_stop(DWORD) {
     is_stopped = true;
@@ -76,11 +77,6 @@ HANDLE job_with(const ProcessOptions& options) {
     const HANDLE job = CreateJobObjectW(nullptr, nullptr);
     JOBOBJECT_EXTENDED_LIMIT_INFORMATION info{};
     info.BasicLimitInformation.LimitFlags = JOB_OBJECT_LIMIT_KILL_ON_JOB_CLOSE;
-    if (options.cpu_seconds > 0) {
-        info.BasicLimitInformation.LimitFlags |= JOB_OBJECT_LIMIT_PROCESS_TIME;
-        info.BasicLimitInformation.PerProcessUserTimeLimit.QuadPart =
-            LONGLONG(options.cpu_seconds) * 10'000'000;
-    }
     if (options.memory > 0) {
         info.BasicLimitInformation.LimitFlags |= JOB_OBJECT_LIMIT_PROCESS_MEMORY;
         info.ProcessMemoryLimit = SIZE_T(options.memory);
@@ -114,6 +110,8 @@ HANDLE start(const Words& command, const Streams& streams, HANDLE job) {
     info.hStdOutput = streams.out;
     info.hStdError = streams.err;
     PROCESS_INFORMATION child{};
+    SetErrorMode(SEM_FAILCRITICALERRORS |
+                 SEM_NOGPFAULTERRORBOX); // children crash without a window that waits
     streams.inherit(true);
     const BOOL started = CreateProcessW(nullptr, words.data(), nullptr, nullptr, TRUE, CREATE_SUSPENDED,
                                         nullptr, nullptr, &info, &child);
@@ -134,15 +132,27 @@ void read_output(HANDLE pipe, const ProcessOptions& options) {
     }
 }
 
+double processor_seconds(HANDLE process) {
+    FILETIME begin, end, kernel{}, user{};
+    GetProcessTimes(process, &begin, &end, &kernel, &user);
+    const auto seconds = [](const FILETIME& time) {
+        return 1e-7 * (double(time.dwHighDateTime) * 4294967296.0 + double(time.dwLowDateTime));
+    };
+    return seconds(kernel) + seconds(user);
+}
+
 /// Waits for the process; stops it if its time is up, or if the question of cancel_if is answered with yes. Returns
 /// whether its time was up.
-bool wait_for(HANDLE process, HANDLE job, int seconds) {
+bool wait_for(HANDLE process, HANDLE job, const ProcessOptions& options) {
     const ULONGLONG begin = GetTickCount64();
     while (WaitForSingleObject(process, is_cancelled ? 5 : 50) == WAIT_TIMEOUT) {
-        const bool is_late = seconds > 0 && GetTickCount64() - begin >= ULONGLONG(seconds) * 1000;
+        const double seconds = 1e-3 * double(GetTickCount64() - begin);
+        const bool is_late = (options.seconds > 0 && seconds >= options.seconds) ||
+                             (options.cpu_seconds > 0 && processor_seconds(process) >= options.cpu_seconds);
         const bool is_unwanted = is_cancelled && is_cancelled();
         if (!is_late && !is_unwanted) continue;
         TerminateJobObject(job, 1);
+        TerminateProcess(process, 1); // if it could not be put into the job
         WaitForSingleObject(process, INFINITE);
         if (is_unwanted) throw Cancelled();
         return true;
@@ -161,17 +171,8 @@ std::string crash_text(DWORD code) {
     case 0xc000001d: return "crashed: invalid instruction (a function without a return statement?)";
     case 0xc0000006:
     case 0xc0000374: return "crashed: invalid memory access";
-    default: return code >= 0xc0000000 && code != quota_exceeded ? "crashed" : "";
+    default: return code >= first_crash && code != quota_exceeded ? "crashed" : "";
     }
-}
-
-double processor_seconds(HANDLE process) {
-    FILETIME begin, end, kernel{}, user{};
-    GetProcessTimes(process, &begin, &end, &kernel, &user);
-    const auto seconds = [](const FILETIME& time) {
-        return 1e-7 * (double(time.dwHighDateTime) * 4294967296.0 + double(time.dwLowDateTime));
-    };
-    return seconds(kernel) + seconds(user);
 }
 
 } // namespace
@@ -192,13 +193,17 @@ ProcessResult run_process(const Words& command, const ProcessOptions& options) {
     if (options.output) streams.out = writing.handle;
     const Handle process(start(command, streams, job.handle));
     writing.close();
-    if (options.output) read_output(reading.handle, options);
-    const bool is_late = wait_for(process.handle, job.handle, options.seconds);
+    const std::future<void> reader =
+        options.output ? std::async(std::launch::async, [&] { read_output(reading.handle, options); })
+                       : std::future<void>();
+    const bool is_late = wait_for(process.handle, job.handle, options);
+    if (reader.valid()) reader.wait();
     if (is_stopped) throw Stop{130};
     DWORD code = 0;
     GetExitCodeProcess(process.handle, &code);
     const bool timed_out = is_late || code == quota_exceeded || code == ERROR_NOT_ENOUGH_QUOTA;
-    return {int(code), timed_out, processor_seconds(process.handle), timed_out ? "" : crash_text(code)};
+    const int result = timed_out || code >= first_crash ? 128 : int(code); // negative otherwise
+    return {result, timed_out, processor_seconds(process.handle), timed_out ? "" : crash_text(code)};
 }
 
 // Windows replaces no process: this one waits for the other and ends with its code.

@@ -21,7 +21,6 @@
 namespace {
 
 namespace fs = std::filesystem;
-using rt::path_of, rt::text_of;
 
 struct Options {
     std::string root = ".";
@@ -35,8 +34,8 @@ std::vector<std::string> pages_of(const Options& options) {
     if (!options.pages.empty()) return options.pages;
     std::vector<std::string> pages;
     for (const std::string folder : {"", "docs/", "accel/"})
-        for (const fs::path& entry : rt::tutor::entries_of(path_of(options.root) / folder))
-            if (entry.extension() == ".md") pages.push_back(folder + text_of(entry.filename()));
+        for (const fs::path& entry : rt::tutor::entries_of(rt::path_of(options.root) / folder))
+            if (entry.extension() == ".md") pages.push_back(folder + rt::text_of(entry.filename()));
     std::ranges::sort(pages);
     return pages;
 }
@@ -75,7 +74,7 @@ std::string output_of(const Options& options, const std::string& command) {
     const rt::tutor::TemporaryFolder scratch;
     const fs::path log = scratch.path / "log";
     const rt::tutor::ProcessResult result = run_line(options, "{ " + command + "\n} 2>/dev/null", log);
-    const std::string output = rt::read_file(text_of(log));
+    const std::string output = rt::read_file(rt::text_of(log));
     if (result.code != 0)
         throw rt::Error("`" + command + "` exits with code " + std::to_string(result.code) + ":\n" + output);
     return without_local_parts(options.root, output);
@@ -87,28 +86,29 @@ bool is_run(const rt::weave::Block& block) {
 
 /// Updates a page if it is out of date.
 void weave(const Options& options, const std::string& page) {
-    const fs::path path = path_of(options.root) / page;
-    const std::string old = rt::read_file(text_of(path));
+    const fs::path path = rt::path_of(options.root) / page;
+    const std::string old = rt::read_file(rt::text_of(path));
     const std::string fresh =
         rt::weave::weave_page(old, page, [&](const rt::weave::Block& block, const std::string& now) {
-            if (!is_run(block)) return rt::weave::block_text(path_of(options.root), block);
+            if (!is_run(block)) return rt::weave::block_text(rt::path_of(options.root), block);
             return now.empty() || options.outputs ? rt::weave::fence(output_of(options, block.what)) : now;
         });
     if (fresh == old) return;
-    rt::write_file(text_of(path), fresh);
+    rt::write_file(rt::text_of(path), fresh);
     std::cout << page << ": updated\n";
 }
 
 /// Reports the blocks of a page that are out of date, and its dead links.
 void check(const Options& options, const std::string& page, Report& report) {
-    const std::string text = rt::read_file(text_of(path_of(options.root) / page));
+    const std::string text = rt::read_file(rt::text_of(rt::path_of(options.root) / page));
     rt::weave::weave_page(text, page, [&](const rt::weave::Block& block, const std::string& now) {
         const std::string where = page + ":" + std::to_string(block.begin) + ": ";
-        if (is_run(block) ? now.empty() : now != rt::weave::block_text(path_of(options.root), block))
+        if (is_run(block) ? now.empty() : now != rt::weave::block_text(rt::path_of(options.root), block))
             report.add(where + block.kind + " " + block.what + " is out of date; ./learn weave updates it");
         return now;
     });
-    for (const std::string& line : rt::weave::dead_links(path_of(options.root), text, page)) report.add(line);
+    for (const std::string& line : rt::weave::dead_links(rt::path_of(options.root), text, page))
+        report.add(line);
     for (const std::string& line : rt::weave::unshowable_math(text, page)) report.add(line);
 }
 
@@ -127,8 +127,8 @@ void run_outputs(const Options& options, const std::string& page, const std::str
 /// Runs the commands of the outputs, then the commands that a page tells its reader to type. The workshop
 /// must not exist before, and is removed afterwards.
 void run_commands(const Options& options, const std::string& page, Report& report) {
-    const std::string text = rt::read_file(text_of(path_of(options.root) / page));
-    const fs::path workshop = path_of(options.root) / "workshop";
+    const std::string text = rt::read_file(rt::text_of(rt::path_of(options.root) / page));
+    const fs::path workshop = rt::path_of(options.root) / "workshop";
     const rt::tutor::TemporaryFolder scratch;
     const fs::path log = scratch.path / "log";
     std::error_code ignored;
@@ -142,14 +142,14 @@ void run_commands(const Options& options, const std::string& page, Report& repor
         if (result.code != command.code || result.timed_out)
             report.add(page + ":" + std::to_string(command.number) + ": exits with code " +
                        std::to_string(result.code) + ", not " + std::to_string(command.code) + ":\n" +
-                       rt::read_file(text_of(log)));
+                       rt::read_file(rt::text_of(log)));
     }
     fs::remove_all(workshop, ignored);
 }
 
 /// Writes docs/ran.txt: for each page with commands, a hash of what was run when all of it succeeded.
 void note_keys(const Options& options, rt::tutor::Record record) {
-    const fs::path root = path_of(options.root);
+    const fs::path root = rt::path_of(options.root);
     std::erase_if(record, [&](const auto& page) { return !fs::exists(root / page.first); });
     rt::tutor::write_record(
         root / "docs" / "ran.txt",
@@ -161,10 +161,10 @@ void note_keys(const Options& options, rt::tutor::Record record) {
 /// Runs the commands of all pages, or with --changed only of pages that changed since they last succeeded.
 /// Returns the exit code.
 int run_all_commands(const Options& options) {
-    rt::tutor::Record keys = rt::tutor::read_record(path_of(options.root) / "docs" / "ran.txt");
+    rt::tutor::Record keys = rt::tutor::read_record(rt::path_of(options.root) / "docs" / "ran.txt");
     bool up_to_date = true;
     for (const std::string& page : pages_of(options)) {
-        const std::string key = rt::weave::page_key(path_of(options.root), page);
+        const std::string key = rt::weave::page_key(rt::path_of(options.root), page);
         if (key.empty()) keys.erase(page);
         if (key.empty() || (options.changed && keys[page] == key)) continue;
         Report report;
