@@ -20,18 +20,6 @@ const { values: wanted } = parseArgs({ options: {
 const { out } = wanted;
 const with_puzzles = steps.filter((step) => wanted.mistakes === 'all' || wanted.mistakes.split(',').includes(step.slice(0, 2)));
 
-/** What is live in the chapters whose text does not say so. */
-const usual = {
-    '01_spheres': '01_spheres --options radius,squares,view --trace',
-    '05_mesh_bvh': '05_mesh_bvh --options view --trace --accel wide',
-    '07_antialias': '07_antialias --options sampler,filter,aperture --trace',
-    '08_indirect': '08_indirect --options direct,no-indirect,depth --trace',
-};
-
-/** The pictures of chapters that explain by themselves. */
-const explaining = { '01_camera.svg': 'camera', '01_sphere.svg': 'sphere_roots', '05_split.svg': 'split', '07_samples.svg': 'samples',
-    '07_lens.svg': 'lens' };
-
 const sources = [
     ...readdirSync(join(root, 'docs')).filter((name) => name.endsWith('.md')).sort().map((name) => join(root, 'docs', name)),
     ...['accel/README.md', 'CONTRIBUTING.md', 'CHANGELOG.md'].map((name) => join(root, name)),
@@ -44,7 +32,7 @@ function read_pages() {
         const step = steps.find((name) => file.endsWith(`/${name}.md`));
         const name = page_name(file);
         return { name, file, step, part: step ? 'chapter' : file.includes('/docs/') ? 'appendix' : 'other',
-            ...chapter(file, { terms: name !== 'glossary.html' && !/log|contrib/.test(name), default_live: step ? { [`reference/${step}.png`]: usual[step], ...explaining } : {} }) };
+            ...chapter(file, { terms: name !== 'glossary.html' && !/log|contrib/.test(name) }) };
     });
     for (const page of pages) page.label = label(page.title);
     return [...pages.filter((page) => page.step), ...pages.filter((page) => !page.step)];

@@ -95,20 +95,14 @@ export function place_on_site(href, from) {
     return page && page + (hash ? `#${hash}` : '');
 }
 
-/**
- * Answers {title, html, headings, pictures, lives} of a file of Markdown. `default_live` has the arguments of live comments by
- * the end of a picture's path, for a text without any.
- */
-export function chapter(file, { terms = true, default_live = {} } = {}) {
+/** Answers {title, html, headings, pictures, lives} of a file of Markdown. */
+export function chapter(file, { terms = true } = {}) {
     const source = readFileSync(file, 'utf8').replace(/\r/g, '');
     const marked = source.replace(/^<!-- (\w+): (.*?) -->\n([\s\S]*?)^<!-- end -->$/gm,
         (whole, kind, argument, body) => (regions[kind] ?? (() => whole))(argument, body));
     const step = basename(file).match(/^\d\d_\w+(?=\.md)/)?.[0];
-    let wanted = marked;
-    for (const [picture, argument] of Object.entries(source.includes('<!-- live:') ? {} : default_live))
-        wanted = wanted.replace(new RegExp(`^!\\[[^\\]]*\\]\\(\\S*${picture}\\)$`, 'm'), (image) => `<!-- live: ${argument} -->\n\n${image}`);
     const env = { step: step ?? '99', terms };
-    const tokens = md.parse(wanted, env);
+    const tokens = md.parse(marked, env);
     let html = without_empty_headers(lively(md.renderer.render(tokens, md.options, env))).replace(/<!--[\s\S]*?-->/g, '');
     const pictures = new Set();
     html = html.replace(/<img ([^>]*?)src="([^"]+)"([^>]*)>/g, (_, before, src, after) => {
@@ -123,6 +117,6 @@ export function chapter(file, { terms = true, default_live = {} } = {}) {
         return place ? `<a href="${place}">${text}</a>` : text;
     });
     const headings = [...html.matchAll(/<h([23]) id="([^"]+)"[^>]*>([\s\S]*?)<\/h\1>/g)].map(([, level, id, text]) => ({ level: Number(level), id, text: text.replace(/<a [^>]*>|<\/a>/g, '') }));
-    const lives = [...wanted.matchAll(/^<!-- live: (.*?) -->$/gm)].map(([, argument]) => ({ file: relative(root, file), ...live_of(argument) }));
+    const lives = [...marked.matchAll(/^<!-- live: (.*?) -->$/gm)].map(([, argument]) => ({ file: relative(root, file), ...live_of(argument) }));
     return { title: source.match(/^# (.*)/m)[1], source, html, headings, pictures, lives };
 }

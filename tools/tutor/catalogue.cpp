@@ -240,9 +240,13 @@ compare::CatalogueMatch nearest_mistake(const fs::path& root, const std::string&
     std::error_code ignored;
     if (!fs::exists(right, ignored)) return {};
     std::vector<compare::CatalogueImage> wrong = compare::read_catalogue_images(text_of(right.parent_path()));
-    std::erase_if(wrong, [](const compare::CatalogueImage& known) { return known.name == "right"; });
-    return compare::find_in_catalogue(compare::read_encoded(text_of(picture)),
-                                      compare::read_encoded(text_of(right)), {}, wrong);
+    const compare::EncodedImage mine = compare::read_encoded(text_of(picture));
+    std::erase_if(wrong, [&](const compare::CatalogueImage& known) {
+        const Image &image = known.picture.image, &other = mine.image;
+        return known.name == "right" || image.width != other.width || image.height != other.height;
+    });
+    if (wrong.empty()) return {}; // they are older than the program's picture
+    return compare::find_in_catalogue(mine, compare::read_encoded(text_of(right)), {}, wrong);
 }
 
 std::string function_of(const fs::path& root, const Patch& patch) {

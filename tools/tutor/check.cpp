@@ -539,7 +539,7 @@ void print_compile_error(const Session& session, const std::string& log) {
     findings.picture = no_picture("your code does not compile yet");
     findings.picture.lines = {place + ": " + help->error.message};
     const Gap* const gap = gap_at(findings, help->error);
-    if (gap != nullptr) session.screen.line("", "in " + gap->exercise.name + ": " + gap->exercise.task);
+    if (gap != nullptr) session.screen.line("", "in " + gap->exercise.name);
     findings.next = "correct this line, save, and run ./learn check " + number_of(session.step());
     session.screen.line("next", findings.next, Colour::bold);
 }

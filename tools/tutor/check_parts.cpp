@@ -65,8 +65,8 @@ std::vector<CheckResult> run_all_checks(const fs::path& program, const fs::path&
 
 namespace {
 
-constexpr int seconds_for_a_picture = 60;
-const std::string few_samples = "2"; // the minimum for a variance
+constexpr int seconds_for_a_picture = 60; // of processor time: a busy machine is no endless loop
+const std::string few_samples = "2";      // the minimum for a variance
 
 /// Returns the flags with the number of samples replaced; unchanged if `samples` is empty.
 Words with_samples(Words flags, const std::string& samples) {
@@ -118,10 +118,11 @@ std::optional<std::string> render(const RenderJob& job) {
     append(command, job.flags);
     const fs::path log = job.out / "log.txt";
     wait_for_program(path_of(command[0]));
-    const ProcessResult result = run_process(command, {.log = log, .seconds = seconds_for_a_picture});
+    const ProcessResult result =
+        run_process(command, {.log = log, .cpu_seconds = seconds_for_a_picture, .seconds = 300});
     if (result.timed_out)
         return "the program did not finish within " + std::to_string(seconds_for_a_picture) +
-               " s; is there an endless loop?";
+               " s of processor time; is there an endless loop?";
     if (result.code >= 128) return "the program crashed";
     if (result.code != 0) return "the program failed: " + read_file(text_of(log));
     return std::nullopt;
@@ -161,8 +162,8 @@ Words similar_mistakes(const RenderJob& job) {
     const fs::path picture = job.out / (job.step + ".small.png");
     Words command{text_of(job.program), "--quiet", "--out", text_of(picture)};
     append(command, gallery_flags(job.root, job.step));
-    const ProcessResult result =
-        run_process(command, {.log = job.out / "log.txt", .seconds = seconds_for_a_picture});
+    const ProcessResult result = run_process(
+        command, {.log = job.out / "log.txt", .cpu_seconds = seconds_for_a_picture, .seconds = 300});
     return result.code == 0 ? nearest_mistake(job.root, job.step, picture).names : Words();
 }
 
