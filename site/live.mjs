@@ -17,7 +17,7 @@ const script = (table, name, value) => `((globalThis.RAYSTEPS ??= {}).${table} ?
 
 /** Which files a step's scenes read. */
 export const assets = {
-    '05_mesh_bvh': ['teapot_fine.obj', 'teapot_coarse.obj', 'cat.obj'],
+    '05_mesh_bvh': ['teapot_fine.obj', 'teapot_coarse.obj', 'cat_coarse.obj', 'cat.obj'],
     '06_textures': ['globe.png', 'test_card.png', 'cow.obj', 'cat.obj'],
     '07_antialias': ['cat.obj'],
     '08_indirect': ['cow.obj', 'cat.obj'],

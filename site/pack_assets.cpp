@@ -3,6 +3,7 @@
 #include "common/image/image_file.h"
 #include "common/model/obj_file.h"
 #include "common/util/file_bytes.h"
+#include "common/util/paths.h"
 #include "common/util/report_error.h"
 #include "site/twins/packed.h"
 
@@ -16,10 +17,10 @@ namespace {
 std::string packed(const std::filesystem::path& path) {
     Packer packer;
     if (path.extension() == ".obj") {
-        ObjModel model = read_obj(path.string());
+        ObjModel model = read_obj(text_of(path));
         pack_model(packer, model);
     } else {
-        Bitmap bitmap = read_bitmap(path.string());
+        Bitmap bitmap = read_bitmap(text_of(path));
         pack_bitmap(packer, bitmap);
     }
     return packer.bytes;
@@ -31,8 +32,8 @@ std::string packed(const std::filesystem::path& path) {
 int main(int argc, char** argv) {
     try {
         for (int i = 2; i < argc; ++i) {
-            const std::filesystem::path path(argv[i]);
-            rt::write_file((argv[1] / path.filename()).string(), rt::packed(path));
+            const std::filesystem::path path = rt::path_of(argv[i]);
+            rt::write_file(rt::text_of(rt::path_of(argv[1]) / path.filename()), rt::packed(path));
         }
         return 0;
     } catch (const std::exception& problem) {

@@ -22,7 +22,7 @@ export const steps = readdirSync(join(root, 'steps')).filter((name) => /^\d\d_/.
 const outside = ['site/twins/options.cpp', 'site/twins/program.cpp', 'site/twins/files.cpp', 'site/twins/parallel.cpp',
     'site/twins/throw.cpp', 'site/twins/math.cpp', 'common/cli/option_values.cpp', 'common/util/suggestion.cpp',
     'common/util/text.cpp'];
-const models = ['accel/build.cpp', 'common/util/huge_page_vector.cpp', 'common/model/vertex_normals.cpp',
+const models = ['accel/build.cpp', 'site/twins/system.cpp', 'common/util/huge_page_vector.cpp', 'common/model/vertex_normals.cpp',
     'common/model/transform.cpp'];
 
 const hash = (...parts) => parts.reduce((sum, part) => sum.update(part).update('\0'), createHash('sha256')).digest('hex').slice(0, 24);

@@ -2,6 +2,7 @@
 #include "tools/tutor/exercises.h"
 
 #include "common/util/error.h"
+#include "common/util/file_bytes.h"
 #include "tests/tutor/folder.h"
 #include "tools/tutor/hints.h"
 
@@ -73,7 +74,7 @@ TEST_CASE("every name in the code of a hint occurs in the code of its step or an
     for (const std::string& step : all_steps(real)) {
         for (const auto& file : entries_of(real.root / "steps" / step))
             if (file.extension() == ".h")
-                known.merge(matches(std::regex_replace(text_of(file), comment, ""), name));
+                known.merge(matches(std::regex_replace(read_file(text_of(file)), comment, ""), name));
         for (const auto& hints : read_hints(RT_ROOT, step, exercises_of(real, step)))
             for (const std::string& hint : hints.second)
                 for (const std::string& span : matches(hint, code))
