@@ -120,7 +120,8 @@ TEST_CASE("A marker without an end, a stray end and an unknown kind are errors w
 }
 
 TEST_CASE("A picture that is alive in the web edition has a marker without an end") {
-    CHECK(find_blocks({"<!-- live: 04_refraction --options ior,bubble -->", "", "![glass](a.png)"}, "page").empty());
+    CHECK(find_blocks({"<!-- live: 04_refraction --options ior,bubble -->", "", "![glass](a.png)"}, "page")
+              .empty());
 }
 
 TEST_CASE("Truncated or damaged sources and pages cause an Error or nothing, but never another exception") {

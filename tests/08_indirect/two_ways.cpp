@@ -100,7 +100,8 @@ TEST_CASE("a bright ball gives the same light by BSDF sampling as by light sampl
 }
 
 TEST_CASE("triangles with Ke in a mesh's MTL are area lights on both sides") {
-    const auto folder = std::filesystem::temp_directory_path() / ("raysteps_08_" + std::to_string(std::random_device{}()));
+    const auto folder =
+        std::filesystem::temp_directory_path() / ("raysteps_08_" + std::to_string(std::random_device{}()));
     std::filesystem::create_directories(folder);
     std::ofstream(folder / "box.mtl") << "newmtl glow\nKd .5 .5 .5\nKe 1 2 0\n"
                                          "newmtl lamp\nKd 0 0 0\nKe 6 6 6\nnewmtl grey\nKd .6 .6 .6\n";
