@@ -54,7 +54,8 @@ bool render_picture(const Toolchain& tools, const Change& change, const fs::path
     if (!built.compiled) throw Error(change.step + " does not compile: " + built.complaint);
     fs::create_directories(picture.parent_path());
     fs::remove(picture);
-    Words command{text_of(scratch.path / made_program), "--quiet", "--threads", "1", "--out", text_of(picture)};
+    Words command{
+        text_of(scratch.path / made_program), "--quiet", "--threads", "1", "--out", text_of(picture)};
     append(command, options);
     const Words flags = gallery_flags(tools.root, change.step);
     for (std::size_t i = 0; i < flags.size(); i += 2)
