@@ -75,6 +75,7 @@ function(add_checks target prefix labels)
         target_compile_options(test_pch PRIVATE ${quickly_compiled})
     endif()
     add_executable(${target} ${sources} $<TARGET_OBJECTS:test_main>)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD OFF) # files of checks have small helpers of the same names
     target_link_libraries(${target} PRIVATE common rt::native rt::doctest)
     use_steps(${target})
     if(NOT "statistics" IN_LIST labels) # a learner waits for the compiler; statistics take long to run, not to compile
