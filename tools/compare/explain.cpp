@@ -294,9 +294,9 @@ Movement best_shift(const Case& c, const SmoothPair& smooth) {
     for (const auto& [dx, dy] : straight_then_diagonal) {
         if (dx != 0 && dy != 0 && best.left < limit && best.words.find(" and ") == std::string::npos) break;
         const double left =
-            noisy ? noisy_residue(
-                        c, [dx = dx, dy = dy](const Image& image) { return half_shifted(image, dx, dy); })
-                  : exact_shift_residue(smooth.test, smooth.reference, dx, dy);
+            noisy
+                ? noisy_residue(c, [x = dx, y = dy](const Image& image) { return half_shifted(image, x, y); })
+                : exact_shift_residue(smooth.test, smooth.reference, dx, dy);
         if (left < best.left) best = {shift_in_words(dx, dy), left};
     }
     return best;
