@@ -4,7 +4,7 @@
 # shellcheck shell=bash
 source "$ROOT/tools/figures/common.sh"
 
-picture 08_cover 08_indirect --scene cover --width 1280 --height 720 --samples 128
+picture 08_cover 08_indirect --scene cover --width 960 --height 540 --samples 256
 picture 08_no_indirect 08_indirect --no-indirect --width 360 --height 360
 for way in bounces lights mis; do
     picture 08_$way 08_indirect --direct $way --samples 8 --width 240 --height 240
