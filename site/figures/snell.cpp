@@ -4,6 +4,7 @@
 #include "site/figures/drawing.h"
 #include "site/figures/figures.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace rt {
@@ -20,9 +21,11 @@ void share(Drawing& drawing, vec2 from, vec2 to, float part) {
 /// The reflectance against the angle, from 0 to 90 degrees.
 void draw_graph(Drawing& drawing, float eta, float degrees, float reflectance) {
     std::vector<vec2> points;
-    for (float angle = 0; angle <= 90; angle += 0.5f)
-        points.push_back(
-            graph + graph_size * vec2(angle / 90, fresnel_dielectric(std::cos(glm::radians(angle)), eta)));
+    for (float angle = 0; angle <= 90; angle += 0.5f) {
+        const float cosine =
+            std::max(std::cos(glm::radians(angle)), 1e-6f); // at 90 degrees rounding makes it negative
+        points.push_back(graph + graph_size * vec2(angle / 90, fresnel_dielectric(cosine, eta)));
+    }
     drawing.line(graph, graph + vec2(graph_size, 0), "ink");
     drawing.line(graph, graph + vec2(0, graph_size), "ink");
     drawing.curve(points, "good thick");
