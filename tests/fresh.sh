@@ -218,6 +218,10 @@ kill -KILL $!
 wait 2>/dev/null
 unset SLOW
 (cd "$clone" && PATH=$stubs:$PATH timeout 20 ./learn run 03 >/dev/null 2>&1) || { echo "WRONG: a killed ./learn still blocks" && bad=1; }
+for _ in {1..100}; do # what it had started goes on in this folder, which is moved below
+    pgrep -f "$stubs/cmake" >/dev/null || break
+    sleep 0.1
+done
 
 # The exit code names the signal that ended it.
 rm -rf "$clone/build"
